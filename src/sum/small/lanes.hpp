@@ -22,12 +22,26 @@ alignas(64) inline constexpr auto kBitOf = [] {
   for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = LaneBits{1} << i;
   return bits;
 }();
+/// Where each of eight bytes begins.
+alignas(64) inline constexpr std::array<LaneBits, kLanes> kByteOf{0, 8, 16, 24, 32, 40, 48, 56};
 [[nodiscard]] constexpr LaneBits first_bits(std::size_t count) {
   return count >= 64 ? ~LaneBits{0} : (LaneBits{1} << count) - 1;
 }
 template <class Visit>
 [[gnu::always_inline]] inline void for_each_bit(LaneBits bits, Visit visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
+}
+
+/// Exchanges rows and columns of eight by eight bits.
+[[nodiscard]] constexpr LaneBits transposed(LaneBits bits) {
+  const auto exchange = [&](int shift, LaneBits mask) {
+    const LaneBits changed = (bits ^ (bits >> shift)) & mask;
+    bits ^= changed ^ (changed << shift);
+  };
+  exchange(7, 0x00AA00AA00AA00AA);
+  exchange(14, 0x0000CCCC0000CCCC);
+  exchange(28, 0x00000000F0F0F0F0);
+  return bits;
 }
 
 }  // namespace minksum

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include "exact/sign.hpp"
 #include "sum/small/lanes.hpp"
@@ -256,6 +257,60 @@ template <class Number, class Test>
     });
     return sure;
   }
+}
+
+/// Which pairs of a row and a lane are of each kind. Bit 8 t + r stands for row r and lane t.
+template <std::size_t kKinds>
+struct PairBits {
+  std::array<LaneBits, kKinds> kinds;
+  std::size_t exact = 0;  ///< how many pairs doubles did not decide
+};
+/// Tests eight lanes for each of `rows`, as far as `pairs` are wanted: bit 8 r + t. By
+/// test(lanes, r, t), bit 8 k tells whether a pair is of kind k. `lanes` reads vectors and computes
+/// cross products. What it does not tell for sure is tested again.
+template <std::size_t kKinds, class Number, class Test>
+[[gnu::always_inline]] inline PairBits<kKinds> test_rows(const SmallNumbers<Number>& numbers,
+                                                         LaneBits rows, LaneBits pairs, Test test) {
+  // A lane has a byte for each kind, and one for what is not sure, with a bit for each row. So
+  // lanes are united once for all rows: that takes as long as testing a row.
+  alignas(64) std::array<LaneBits, kLanes> found{};
+  for_each_bit(
+      rows, [&](std::uint32_t row) __attribute__((always_inline)) {
+        for (std::size_t t = 0; t < kLanes; ++t) {
+          if constexpr (std::is_same_v<Number, double>) {
+            found[t] |= test(ExactLanes{}, row, t) << row;
+          } else {
+            bool is_unsure = false;
+            const LaneBits bits = test(filter_lanes(numbers, is_unsure), row, t);
+            found[t] |= (bits | (is_unsure ? LaneBits{1} << (kKinds * kLanes) : 0)) << row;
+          }
+        }
+      });
+  std::array<LaneBits, kKinds + 1> united{};
+  const auto unite = [&]<std::size_t... k>(std::index_sequence<k...>)
+      __attribute__((always_inline)) {
+#pragma GCC unroll 1  // unrolled, it would be no vector code
+    for (std::size_t t = 0; t < kLanes; ++t) {
+      ((united[k] |= (found[t] >> (k * kLanes) & 0xFF) << kByteOf[t]), ...);
+    }
+  };
+  unite(std::make_index_sequence<kKinds + 1>{});
+  pairs = transposed(pairs);
+  PairBits<kKinds> result;
+  for (std::size_t k = 0; k < kKinds; ++k) result.kinds[k] = united[k] & pairs;
+  if constexpr (!std::is_same_v<Number, double>) {
+    for_each_bit(united[kKinds] & pairs, [&](std::uint32_t bit) {
+      const LaneBits sure = compute_surely(
+          numbers, [&](const auto& lanes) __attribute__((always_inline)) {
+            return test(lanes, bit % kLanes, bit / kLanes);
+          });
+      for (std::size_t k = 0; k < kKinds; ++k) {
+        result.kinds[k] = (result.kinds[k] & ~kBitOf[bit]) | (sure >> (k * kLanes) & 1) << bit;
+      }
+      ++result.exact;
+    });
+  }
+  return result;
 }
 
 /// Segment t starts at `a`, seen from the start of r.
