@@ -91,7 +91,7 @@ class SmallBlocks {
   [[nodiscard]] const Box& box_of_all() const { return all_; }
 
   /// Sets the boxes of `count` segments, and makes them wider by `reach` on each side. Entries
-  /// beyond these are not read.
+  /// beyond these fill the last block up, and are points of its segments.
   void set(const double* x, const double* y, const double* dx, const double* dy, std::size_t count,
            double reach);
   /// Calls visit(first, near) for words of 64 blocks, with their first block and those of them

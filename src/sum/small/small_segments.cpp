@@ -46,8 +46,12 @@ constexpr auto kCurve = [] {
 
 void SmallSegments::finish(double reach) {
   for (std::size_t i = size; i < filled_up(size); ++i) {
-    x[i] = y[i] = dx[i] = dy[i] = 0;
-    part.x[i] = part.y[i] = part.dx[i] = part.dy[i] = 0;
+    x[i] = x[size - 1];
+    y[i] = y[size - 1];
+    dx[i] = dy[i] = 0;
+    part.x[i] = part.x[size - 1];
+    part.y[i] = part.y[size - 1];
+    part.dx[i] = part.dy[i] = 0;
     if (wide) start[i] = end[i] = -1;
   }
   const SegmentRows& rows = boxes();
