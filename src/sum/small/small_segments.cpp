@@ -45,15 +45,16 @@ constexpr auto kCurve = [] {
 }  // namespace
 
 void SmallSegments::finish(double reach) {
-  for (std::size_t i = size; i < filled_up(size); ++i) {
-    x[i] = x[size - 1];
-    y[i] = y[size - 1];
-    dx[i] = dy[i] = 0;
-    part.x[i] = part.x[size - 1];
-    part.y[i] = part.y[size - 1];
-    part.dx[i] = part.dy[i] = 0;
-    if (wide) start[i] = end[i] = -1;
-  }
+  const auto fill_up = [this](SegmentRows& rows) {
+    for (std::size_t i = size; i < filled_up(size); ++i) {
+      rows.x[i] = rows.x[size - 1];
+      rows.y[i] = rows.y[size - 1];
+      rows.dx[i] = rows.dy[i] = 0;
+    }
+  };
+  fill_up(*this);
+  if (in_part) fill_up(part);
+  for (std::size_t i = size; wide && i < filled_up(size); ++i) start[i] = end[i] = -1;
   const SegmentRows& rows = boxes();
   blocks.set(rows.x.data(), rows.y.data(), rows.dx.data(), rows.dy.data(), size, reach);
 }
