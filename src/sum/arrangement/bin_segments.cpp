@@ -266,9 +266,9 @@ class Binner {
   }
 
   /// Whether segments would meet one another again and again, because they run side by side through
-  /// the same cells. An item shares its cell with `items` / `cells` items on average. Of 998 sums,
-  /// 12 share more than this for each segment. In cells they take 1.15 to 2.96 times as long. With
-  /// 128 to 256, 12 others take 0.84 to 1.57 times as long.
+  /// the same cells. An item shares its cell with `items` / `cells` items on average. For each
+  /// segment, 12 of 998 sums have more than kMostShared such pairs. In cells these sums take 1.15
+  /// to 2.96 times as long. 12 others have 128 to 256, and take 0.84 to 1.57 times as long.
   [[nodiscard]] bool are_crowded(std::size_t items, std::size_t cells) const {
     constexpr double kMostShared = 256;
     const auto many = static_cast<double>(items);

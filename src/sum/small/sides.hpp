@@ -272,7 +272,7 @@ template <std::size_t kKinds, class Number, class Test>
 [[gnu::always_inline]] inline PairBits<kKinds> test_rows(const SmallNumbers<Number>& numbers,
                                                          LaneBits rows, LaneBits pairs, Test test) {
   // A lane has a byte for each kind, and one for what is not sure, with a bit for each row. So
-  // lanes are united once for all rows: that takes as long as testing a row.
+  // lanes are united once for all rows. Uniting them takes as long as testing a row.
   alignas(64) std::array<LaneBits, kLanes> found{};
   for_each_bit(
       rows, [&](std::uint32_t row) __attribute__((always_inline)) {
