@@ -161,6 +161,13 @@ constexpr WideInt<1> as_limbs(std::int64_t value) { return WideInt<1>(value); }
 constexpr double to_double(double value) { return value; }
 inline double to_double(std::int64_t value) { return static_cast<double>(value); }
 inline double to_double(Int128 value) { return static_cast<double>(value); }
+/// Returns a double with a relative error under 2^-52, without a branch or a call.
+inline double to_near_double(Int128 value) {
+  // So the lower part has a sign, too: then short values are not rounded twice.
+  const auto low = static_cast<std::int64_t>(value);
+  const auto high = static_cast<std::int64_t>((value - low) >> 64);
+  return static_cast<double>(high) * 0x1p64 + static_cast<double>(low);
+}
 /// Returns a double with a relative error under 2^-51. Proof: let limb k be the highest that is not
 /// 0. It is rounded by 2^-53, and so is the sum with limb k - 1. That sum is 2^64 at least, before
 /// it is multiplied by 2^64. So all limbs below are less than 2^-64 of it each, which is less than

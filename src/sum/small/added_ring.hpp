@@ -99,6 +99,9 @@ class AddedRing {
       return {x[to] - x[from], y[to] - y[from]};
     }
   }
+  [[nodiscard]] Vec<double> near_way(std::uint32_t from, std::uint32_t to) const {
+    return near_of(way(from, to));
+  }
   [[nodiscard]] std::uint32_t before(std::uint32_t i) const { return (i == 0 ? size_ : i) - 1; }
   [[nodiscard]] std::uint32_t after(std::uint32_t i) const { return i + 1 == size_ ? 0 : i + 1; }
   /// Positive if the ring turns left from one edge to the next one.
@@ -109,6 +112,20 @@ class AddedRing {
       const double turn = cross(in, out);  // its sign is exact, unless it is zero
       using Lanes = SureLanes<std::uint64_t>;
       return turn == 0 ? Lanes{}.turn(Lanes::of_whole(in), Lanes::of_whole(out)) : turn;
+    }
+  }
+
+  /// The same at a vertex, by its rounded edges. The exact ones are computed where these do not
+  /// tell.
+  [[nodiscard, gnu::always_inline]] double turn_at(std::uint32_t i, const Vec<double>& in,
+                                                   const Vec<double>& out) const {
+    if constexpr (kWide) {
+      bool unsure = false;
+      const double near = BoundedLanes{unsure, 0}.turn(in, out);
+      if (!unsure) return near;
+      return turn(way(before(i), i), way(i, after(i)));
+    } else {
+      return turn(in, out);
     }
   }
 
@@ -153,29 +170,27 @@ class AddedRing {
     std::uint64_t all_convex = ~std::uint64_t{0};
     double longest = 0;
     int meetings = 0;
-    Vector in = way(size_ - 1, 0);
-    int eighth = eighth_of(near_of(in));
+    Vec<double> in = near_way(size_ - 1, 0);
+    int eighth = eighth_of(in);
     for (std::uint32_t i = 0; i < size_; ++i) {
-      const Vector out = way(i, after(i));
-      const double turned = turn(in, out);
+      const Vec<double> out = near_way(i, after(i));
+      const double turned = turn_at(i, in, out);
       // All ones or none keep the loop free of branches.
       const std::uint64_t convex = turns_left(turned);
       const auto if_convex = [convex](double value) {
         return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & convex);
       };
-      const Vec<double>& near_in = near_of(in);
-      const Vec<double>& near_out = near_of(out);
-      const int last = std::exchange(eighth, eighth_of(near_out));
+      const int last = std::exchange(eighth, eighth_of(out));
       meetings += static_cast<int>(static_cast<std::uint64_t>(eighth - last) & convex & 7U);
       turn_all &= turned != 0;
       all_convex &= convex;
-      longest = std::max({longest, std::abs(near_out.x), std::abs(near_out.y)});
-      dx[i] = near_out.x;
-      dy[i] = near_out.y;
-      in_x[i] = if_convex(near_in.x);
-      in_y[i] = if_convex(near_in.y);
-      out_x[i] = if_convex(near_out.x);
-      out_y[i] = if_convex(near_out.y);
+      longest = std::max({longest, std::abs(out.x), std::abs(out.y)});
+      dx[i] = out.x;
+      dy[i] = out.y;
+      in_x[i] = if_convex(in.x);
+      in_y[i] = if_convex(in.y);
+      out_x[i] = if_convex(out.x);
+      out_y[i] = if_convex(out.y);
       in = out;
     }
     return {turn_all, all_convex != 0, meetings / 8.0, longest};

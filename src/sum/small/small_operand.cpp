@@ -73,6 +73,10 @@ class RingLoader {
  private:
   using Coordinate = std::conditional_t<kWide, Int128, double>;
 
+  static double near_double(Integer value) {
+    if constexpr (kWide) return to_near_double(value);
+    return static_cast<double>(value);
+  }
   /// Brings a coordinate to the grid. Returns false if it is not an integer there, or too long.
   [[nodiscard, gnu::always_inline]] bool take(const StoredCoordinate& c, int exp2, int exp10,
                                               Integer& value) const {
@@ -98,15 +102,16 @@ class RingLoader {
     Vec<Coordinate> high{};
     std::uint32_t size = 0;
     for (const std::size_t v : vertices) {
-      Vec<Integer> at;
-      if (!take(RegionAccess::x(region_, v), exp2, exp10, at.x) ||
-          !take(RegionAccess::y(region_, v), exp2, exp10, at.y)) {
+      Integer at_x;
+      Integer at_y;
+      if (!take(RegionAccess::x(region_, v), exp2, exp10, at_x) ||
+          !take(RegionAccess::y(region_, v), exp2, exp10, at_y)) {
         return false;
       }
-      if (v == vertices.front()) first = at;
+      if (v == vertices.front()) first = {at_x, at_y};
       // Doubles round only places of rings that are too large.
-      const Vec<Coordinate> place{static_cast<Coordinate>(at.x - first.x),
-                                  static_cast<Coordinate>(at.y - first.y)};
+      const Vec<Coordinate> place{static_cast<Coordinate>(at_x - first.x),
+                                  static_cast<Coordinate>(at_y - first.y)};
       // The last of equal vertices stays, because the edge to the next vertex has its index.
       if (size != 0 && place == last) --size;
       last = place;
@@ -132,14 +137,14 @@ class RingLoader {
     for (std::uint32_t i = 0; i < size; ++i) {
       if constexpr (kWide) {
         at_whole[i] = plus(at_whole[i], by);
-        x[i] = static_cast<double>(at_whole[i].x);
-        y[i] = static_cast<double>(at_whole[i].y);
+        x[i] = near_double(at_whole[i].x);
+        y[i] = near_double(at_whole[i].y);
       } else {
         x[i] += static_cast<double>(by.x);
         y[i] += static_cast<double>(by.y);
       }
     }
-    return ring.finish(is_outer, size, static_cast<double>(corner.x - corner_.x));
+    return ring.finish(is_outer, size, near_double(corner.x - corner_.x));
   }
   /// Takes the box of a ring, by its lower left corner. Returns false if it is too wide, or if it
   /// is a hole's and not inside that of the outer ring.
