@@ -89,16 +89,23 @@ struct BoundedLanes {
                                                 bool is_zero = false) const {
     return decide(cross(edge, point), error_of(edge), is_zero);
   }
+  /// If one segment surely lies on one side of the other's line, the segments do not meet. Then the
+  /// other two values need not be sure.
   [[nodiscard, gnu::always_inline]] Sides sides(const Vec<double>& r, const Vec<double>& a,
                                                 const Vec<double>& t,
                                                 const ZeroSides& zeros) const {
-    const double start = cross(r, a);
-    const double along = cross(a, t);
+    bool unsure_of_r = false;
+    bool unsure_of_t = false;
+    const BoundedLanes of_r{unsure_of_r, reach};
+    const BoundedLanes of_t{unsure_of_t, reach};
     const double turn = cross(r, t);
-    const double of_r = error_of(r);
-    const double of_t = error_of(t);
-    return {decide(start, of_r, zeros.start), decide(start + turn, of_r, zeros.end),
-            decide(along, of_t, zeros.along), decide(turn - along, of_t, zeros.left)};
+    const double start = of_r.decide(cross(r, a), error_of(r), zeros.start);
+    const double end = of_r.decide(cross(r, a) + turn, error_of(r), zeros.end);
+    const double along = of_t.decide(cross(a, t), error_of(t), zeros.along);
+    const double left = of_t.decide(turn - cross(a, t), error_of(t), zeros.left);
+    unsure |= (unsure_of_r & unsure_of_t) | (unsure_of_r & !(along * left < 0)) |
+              (unsure_of_t & !(start * end > 0));
+    return {start, end, along, left};
   }
   [[nodiscard, gnu::always_inline]] double turn(const Vec<double>& in,
                                                 const Vec<double>& out) const {
