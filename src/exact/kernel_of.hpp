@@ -24,8 +24,7 @@ class KernelOf : public ExactKernel {
     return cross_sign(difference(a, b), difference(a, c));
   }
   Sign dot(SiteId a, SiteId b, SiteId c, SiteId d) const override {
-    return sign_of(
-        minksum::dot(as<CrossNumber>(difference(a, b)), as<CrossNumber>(difference(c, d))));
+    return sign_of(exact_dot<CrossNumber>(difference(a, b), difference(c, d)));
   }
   Sign compare(SiteId a, SiteId b, Axis axis) const override {
     return sign_of(Coord(along(sites_[a], axis) - along(sites_[b], axis)));
@@ -34,8 +33,7 @@ class KernelOf : public ExactKernel {
     return cross_sign(direction(edge), direction(other));
   }
   Sign dot(SiteId edge, SiteId other) const override {
-    return sign_of(
-        minksum::dot(as<CrossNumber>(direction(edge)), as<CrossNumber>(direction(other))));
+    return sign_of(exact_dot<CrossNumber>(direction(edge), direction(other)));
   }
 
   Sign orientation(const Segment& s, const SumVertex& v) const override {
@@ -48,8 +46,8 @@ class KernelOf : public ExactKernel {
                      const PointOnSegment& b) const override {
     const auto p = parameter_of(s, a);
     const auto q = parameter_of(s, b);
-    const Along difference =
-        Along(p.numerator) * Along(q.denominator) - Along(q.numerator) * Along(p.denominator);
+    const Along difference(product<Along>(p.numerator, q.denominator) -
+                           product<Along>(q.numerator, p.denominator));
     return sign_of(difference) * sign_of(p.denominator) * sign_of(q.denominator);
   }
   double parameter(const Segment& s, const PointOnSegment& point) const override {
@@ -73,12 +71,10 @@ class KernelOf : public ExactKernel {
     if (!node.is_crossing) return orientation(s, node.vertex);
     const Vec<Coord> d = direction(s.edge);
     const auto t = crossing_of(node.first, node.second);
-    const CrossNumber from_start =
-        minksum::cross(as<CrossNumber>(d), as<CrossNumber>(minus(start(node.first), start(s))));
-    const CrossNumber ahead =
-        minksum::cross(as<CrossNumber>(d), as<CrossNumber>(direction(node.first.edge)));
-    return sign_of(Along(Along(from_start) * Along(t.denominator) +
-                         Along(ahead) * Along(t.numerator))) *
+    const auto from_start = exact_cross<CrossNumber>(d, minus(start(node.first), start(s)));
+    const auto ahead = exact_cross<CrossNumber>(d, direction(node.first.edge));
+    return sign_of(Along(product<Along>(from_start, t.denominator) +
+                         product<Along>(ahead, t.numerator))) *
            sign_of(t.denominator);
   }
 
@@ -120,7 +116,7 @@ class KernelOf : public ExactKernel {
     return {Coord(a.x - b.x), Coord(a.y - b.y)};
   }
   static Sign cross_sign(const Vec<Coord>& a, const Vec<Coord>& b) {
-    return sign_of(minksum::cross(as<CrossNumber>(a), as<CrossNumber>(b)));
+    return sign_of(exact_cross<CrossNumber>(a, b));
   }
   [[nodiscard]] Vec<Coord> difference(SiteId from, SiteId to) const {
     return minus(sites_[to], sites_[from]);
@@ -134,9 +130,9 @@ class KernelOf : public ExactKernel {
     return position(sum_vertex(s.edge, s.vertex));
   }
   [[nodiscard]] Quotient<CrossNumber> crossing_of(const Segment& s, const Segment& t) const {
-    return crossing_parameter(as<CrossNumber>(direction(s.edge)),
-                              as<CrossNumber>(minus(start(t), start(s))),
-                              as<CrossNumber>(direction(t.edge)));
+    const Vec<Coord> e = direction(t.edge);
+    return {exact_cross<CrossNumber>(minus(start(t), start(s)), e),
+            exact_cross<CrossNumber>(direction(s.edge), e)};
   }
   [[nodiscard]] Quotient<CrossNumber> parameter_of(const Segment& s,
                                                    const PointOnSegment& point) const {

@@ -10,6 +10,8 @@
 #include <span>
 #include <type_traits>
 
+#include "exact/formulas.hpp"
+
 namespace minksum {
 
 __extension__ typedef __int128 Int128;
@@ -182,17 +184,6 @@ double to_double(const WideInt<N>& value) {
   return value.negative() ? -sum : sum;
 }
 
-/// Returns the product of two numbers, which `Wide` holds. It takes as many steps as they have
-/// limbs, not `Wide`.
-template <class Wide, class A, class B>
-constexpr Wide product(const A& a, const B& b) {
-  if constexpr (requires { Wide::product_of(as_limbs(a), as_limbs(b)); }) {
-    return Wide::product_of(as_limbs(a), as_limbs(b));
-  } else {
-    return Wide(Wide(a) * Wide(b));
-  }
-}
-
 /// Returns the same value in a type at least as wide; without a copy where the type is the same.
 template <class To, class From>
 [[nodiscard]] constexpr decltype(auto) widen(const From& value) {
@@ -201,6 +192,27 @@ template <class To, class From>
   } else {
     return static_cast<To>(value);
   }
+}
+
+/// Returns the product of two numbers, which `Wide` holds. It takes as many steps as they have
+/// limbs, not `Wide`.
+template <class Wide, class A, class B>
+constexpr Wide product(const A& a, const B& b) {
+  if constexpr (requires { Wide::product_of(as_limbs(a), as_limbs(b)); }) {
+    return Wide::product_of(as_limbs(a), as_limbs(b));
+  } else {
+    return Wide(widen<Wide>(a) * widen<Wide>(b));
+  }
+}
+/// Returns the cross product of two vectors, which `Wide` holds, in as many steps.
+template <class Wide, class Number>
+constexpr Wide exact_cross(const Vec<Number>& a, const Vec<Number>& b) {
+  return Wide(product<Wide>(a.x, b.y) - product<Wide>(a.y, b.x));
+}
+/// The same for the dot product.
+template <class Wide, class Number>
+constexpr Wide exact_dot(const Vec<Number>& a, const Vec<Number>& b) {
+  return Wide(product<Wide>(a.x, b.x) + product<Wide>(a.y, b.y));
 }
 
 }  // namespace minksum

@@ -70,12 +70,6 @@ struct ProductType<WideInt<N>> {
 template <class Integer>
 using ProductOf = typename ProductType<Integer>::Type;
 
-/// Returns the cross product of two vectors of integers, which `Product` holds.
-template <class Product, class Integer>
-[[nodiscard]] Product exact_cross(const Vec<Integer>& a, const Vec<Integer>& b) {
-  return product<Product>(a.x, b.y) - product<Product>(a.y, b.x);
-}
-
 /// A vector in doubles, and exactly or modulo 2^64.
 template <class Number>
 struct SureVec {
