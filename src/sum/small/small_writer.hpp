@@ -140,11 +140,16 @@ class SmallWriter {
     // This is the quotient if that is an integer: it is off by less than a half, and otherwise the
     // rest tells.
     auto quotient = static_cast<Value>(near + (near < 0 ? -0.5 : 0.5));
+    auto rest = moved - product<Wide>(quotient, below);
     if constexpr (kWide) {
-      const double rest = to_double(moved - product<Wide>(quotient, below)) / to_double(below);
-      quotient += static_cast<Value>(rest + (rest < 0 ? -0.5 : 0.5));
+      const double more = to_double(rest) / to_double(below);
+      const auto step = static_cast<Value>(more + (more < 0 ? -0.5 : 0.5));
+      quotient += step;
+      // Mostly it is no integer, and the lowest limbs tell.
+      const auto low = static_cast<std::uint64_t>(step) * below.limb(0);
+      if (rest.limb(0) == low) rest = rest - product<Wide>(step, below);
     }
-    if (product<Wide>(quotient, below) == moved) return whole(base + quotient);
+    if (rest == Wide(0)) return whole(base + quotient);
     return this->quotient(as_limbs(moved + product<Wide>(base, below)), as_limbs(below));
   }
   template <class Above, class Below>
