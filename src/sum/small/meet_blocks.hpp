@@ -42,6 +42,17 @@ template <class Number>
       __attribute__((always_inline)) {
     const std::size_t of = block * kLanes + row;
     const std::size_t i = other * kLanes + t;
+    if constexpr (std::is_same_v<Number, WideNumber> &&
+                  !std::decay_t<decltype(lanes)>::kRoundsPoints) {
+      // Doubles do not decide pairs on about one line, and most of these are apart.
+      const auto meet = [&](double w, double to, double u) {
+        return std::abs(2 * to + u - w) <= std::abs(w) + std::abs(u) + 2 * numbers.reach;
+      };
+      const auto to = minus(starts[i], starts[of]);
+      if (!meet(ways[of].x, to.x, ways[i].x) || !meet(ways[of].y, to.y, ways[i].y)) {
+        return LaneBits{0};
+      }
+    }
     const auto a = minus(lanes.get(starts, i), lanes.get(starts, of));
     ZeroSides zeros;
     if constexpr (std::is_same_v<Number, WideNumber>) {
