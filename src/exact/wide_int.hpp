@@ -163,7 +163,8 @@ constexpr WideInt<1> as_limbs(std::int64_t value) { return WideInt<1>(value); }
 constexpr double to_double(double value) { return value; }
 inline double to_double(std::int64_t value) { return static_cast<double>(value); }
 inline double to_double(Int128 value) { return static_cast<double>(value); }
-/// Returns a double with a relative error under 2^-52, without a branch or a call.
+/// Returns a double with a relative error under 2^-52, without a branch or a call. It keeps the
+/// order of numbers that it does not make equal.
 inline double to_near_double(Int128 value) {
   // So the lower part has a sign, too: then short values are not rounded twice.
   const auto low = static_cast<std::int64_t>(value);

@@ -111,7 +111,7 @@ struct BoundedLanes {
                                                 const Vec<double>& out) const {
     const double above = in.x * out.y;
     const double other = in.y * out.x;
-    // Each edge is rounded three times, and so is their product, and the difference, by 2^-53.
+    // Each edge is off by up to four times 2^-53, and their product and the difference are rounded.
     return decide(above - other, 0x1p-49 * (std::abs(above) + std::abs(other)), false);
   }
 

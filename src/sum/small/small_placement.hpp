@@ -131,9 +131,9 @@ class SmallPlacement {
   [[nodiscard, gnu::always_inline]] double side_of(const Vec<double>& edge,
                                                    const Vec<double>& point) const {
     const double value = cross(edge, plus(point, at_));
-    // With the units of SmallNumbers, the place of x is off by 4u, and the point by 15u, at up to
-    // three times the width. So the cross product is off by up to 30v.
-    const double error = numbers_.reach * (std::abs(edge.x) + std::abs(edge.y));
+    // With the units of `reach_of`, the place of x is off by 4u, and the point by 17u, at up to
+    // three times the width. So the cross product is off by up to 36v.
+    const double error = 2 * numbers_.reach * (std::abs(edge.x) + std::abs(edge.y));
     return std::abs(value) > error ? value : 0;
   }
   /// Tells the same for sure, and makes the step if the point is on the line.

@@ -14,11 +14,12 @@ using WideNumber = WideInt<4>;
 
 /// For WideNumber, returns 2^-48 of the width of all coordinates. It bounds the errors of points,
 /// of boxes and, for edges of length 1, of cross products. Let u be 2^-53 of the width, and v the
-/// same of an edge and the width. An operand's points and edges are rounded three times: on their
-/// own grid, and as products with a rounded number of steps. So an operand's points are off by up
-/// to 3u, a sum's by 4u, and differences of two points by 9u, or by 13u if one is moved by an edge.
-/// Rounded edges and products make that up to 19v. Instead of a moved point, the cross product of
-/// the two edges may be added, with 8v and with 2v for that sum: 24v in all.
+/// same of an edge and the width. An operand's points and edges are off by less than 2u on their
+/// own grid, and are rounded twice as products with a rounded number of steps. So an operand's
+/// points are off by up to 4u, a sum's by 5u, and differences of two points by 11u, or by 16u if
+/// one is moved by an edge. Rounded edges and products make that up to 23v. Instead of a moved
+/// point, the cross product of the two edges may be added, with 10v and with 2v for that sum: 29v
+/// in all.
 [[nodiscard]] constexpr double reach_of(double width) { return 0x1p-48 * width; }
 
 /// How the coordinates of a small sum are stored, and its cross products computed. Their sign is

@@ -106,8 +106,8 @@ class WayFractions {
       return fraction(by, -above, -below);
     } else {
       const double near = above / below;
-      // Each product, and the difference of two, is rounded by 2^-53 at most, and so is each
-      // vector up to three times.
+      // Each product, and the difference of two, is rounded by 2^-53 at most, and each vector is
+      // off by up to four times that.
       const auto sizes = [](const Vec<double>& a, const Vec<double>& b) {
         return std::abs(a.x * b.y) + std::abs(a.y * b.x);
       };
