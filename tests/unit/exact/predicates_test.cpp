@@ -44,6 +44,23 @@ TEST(WideInt, AgreesWithBigIntegers) {
   }
 }
 
+TEST(WideInt, IsRoundedNearlyAndInOrder) {
+  Random random(17);
+  const auto size = [](Int128 value) { return value < 0 ? -value : value; };
+  for (int k = 0; k < 200'000; ++k) {
+    // Next to powers of two, and to halves of limbs, roundings change.
+    const int bits = random.between(0, 125);
+    Int128 value = Int128{1} << bits;
+    if (random.one_in(2)) value += static_cast<Int128>(random.next()) >> random.between(0, 63);
+    if (random.one_in(2)) value -= Int128{1} << random.between(0, bits);
+    if (random.one_in(2)) value = -value;
+    const double near = to_near_double(value);
+    EXPECT_LE(size(static_cast<Int128>(near) - value), size(value) >> 52) << k;
+    const Int128 next = value + 1 + (static_cast<Int128>(random.next()) >> random.between(0, 63));
+    EXPECT_LE(near, to_near_double(next)) << k;
+  }
+}
+
 TEST(WideInt, MultipliesShorterNumbers) {
   std::mt19937_64 random(2604);
   const auto limb = [&] { return static_cast<std::int64_t>(random() << (random() % 64)); };
@@ -65,8 +82,8 @@ TEST(WideInt, MultipliesShorterNumbers) {
 /// Returns the same two operands on every rung.
 std::vector<std::unique_ptr<Operands>> on_all_rungs(const Region& p, const Region& q) {
   std::vector<std::unique_ptr<Operands>> all;
-  for (const Arithmetic rung : {Arithmetic::kNarrow, Arithmetic::kMedium, Arithmetic::kWide,
-                                Arithmetic::kArbitrary}) {
+  for (const Arithmetic rung :
+       {Arithmetic::kNarrow, Arithmetic::kMedium, Arithmetic::kWide, Arithmetic::kArbitrary}) {
     SumSettings options;
     options.arithmetic = rung;
     all.push_back(std::make_unique<Operands>());
@@ -155,7 +172,9 @@ TEST_F(Rungs, OrderCrossingsAlikeAndTotally) {
         ASSERT_EQ(order, first.kernel->compare_along(s, a, b));
         ASSERT_EQ(order, -o->kernel->compare_along(s, b, a));
         const double difference = o->kernel->parameter(s, a) - o->kernel->parameter(s, b);
-        if (std::abs(difference) > 0x1p-40) { ASSERT_EQ(order, sign_of(difference)); }
+        if (std::abs(difference) > 0x1p-40) {
+          ASSERT_EQ(order, sign_of(difference));
+        }
       }
     }
   }
@@ -230,7 +249,9 @@ void expect_exact_zeros(const Region& p, const Region& q, Arithmetic rung) {
         ASSERT_EQ(ladder.cross(e, f), o.kernel->cross(e, f));
         const bool along_one =
             ladder.component(e, axis) == kZero && ladder.component(f, axis) == kZero;
-        if (along_one) { ASSERT_EQ(ladder.counts().by_kernel, before); }
+        if (along_one) {
+          ASSERT_EQ(ladder.counts().by_kernel, before);
+        }
         ASSERT_EQ(ladder.dot(e, f), o.kernel->dot(e, f));
       }
     }
