@@ -63,8 +63,8 @@ class KernelOf : public ExactKernel {
     const Homogeneous p = homogeneous(a);
     const Homogeneous q = homogeneous(b);
     const bool x = axis == Axis::kX;
-    return sign_of(
-               Lexicographic((x ? p.x : p.y) * q.denominator - (x ? q.x : q.y) * p.denominator)) *
+    return sign_of(Lexicographic(product<Lexicographic>(x ? p.x : p.y, q.denominator) -
+                                 product<Lexicographic>(x ? q.x : q.y, p.denominator))) *
            sign_of(p.denominator) * sign_of(q.denominator);
   }
   Sign orientation(const Segment& s, const NodePoint& node) const override {
@@ -82,7 +82,7 @@ class KernelOf : public ExactKernel {
     if (probe.exact != nullptr) {
       return sign_of(minksum::cross(big(direction(edge)), exact_probe_offset(probe, v)));
     }
-    return sign_of(minksum::cross(as<ProbeNumber>(direction(edge)), probe_offset(probe, v)));
+    return sign_of(exact_cross<ProbeNumber>(direction(edge), probe_offset(probe, v)));
   }
   Sign probe_compare(const Probe& probe, const SumVertex& v, Axis axis) const override {
     if (probe.exact != nullptr) return sign_of(along(exact_probe_offset(probe, v), axis));
@@ -99,15 +99,6 @@ class KernelOf : public ExactKernel {
   void connect(std::span<const SiteId> next) override { next_.assign(next.begin(), next.end()); }
 
  protected:
-  /// Returns a copy with numbers of another type, or a reference if the type is the same.
-  template <class To, class From>
-  static decltype(auto) as(const Vec<From>& v) {
-    if constexpr (std::is_same_v<To, From>) {
-      return (v);
-    } else {
-      return Vec<To>{To(v.x), To(v.y)};
-    }
-  }
   template <class Number>
   static const Number& along(const Vec<Number>& v, Axis axis) {
     return axis == Axis::kX ? v.x : v.y;
@@ -145,12 +136,12 @@ class KernelOf : public ExactKernel {
   struct Homogeneous {
     Lexicographic x;
     Lexicographic y;
-    Lexicographic denominator;
+    CrossNumber denominator;
   };
   [[nodiscard]] Homogeneous homogeneous(const NodePoint& node) const {
     if (!node.is_crossing) {
       const Vec<Coord> at = position(node.vertex);
-      return {Lexicographic(at.x), Lexicographic(at.y), Lexicographic(1)};
+      return {Lexicographic(at.x), Lexicographic(at.y), CrossNumber(1)};
     }
     const auto t = crossing_of(node.first, node.second);
     const Vec<Coord> at = start(node.first);
@@ -159,9 +150,9 @@ class KernelOf : public ExactKernel {
       return Lexicographic(product<Lexicographic>(from, t.denominator) +
                            product<Lexicographic>(along, t.numerator));
     };
-    return {coordinate(at.x, d.x), coordinate(at.y, d.y), Lexicographic(t.denominator)};
+    return {coordinate(at.x, d.x), coordinate(at.y, d.y), t.denominator};
   }
-  static Vec<Fraction> big(const Vec<Coord>& v) { return as<Fraction>(v); }
+  static Vec<Fraction> big(const Vec<Coord>& v) { return {Fraction(v.x), Fraction(v.y)}; }
   [[nodiscard]] Vec<Fraction> exact_point(const NodePoint& node) const {
     const Vec<Fraction> at = big(position(node.vertex_or_start()));
     if (!node.is_crossing) return at;
@@ -181,11 +172,13 @@ class KernelOf : public ExactKernel {
   }
   /// Returns (probe − v) · 2^shift.
   [[nodiscard]] Vec<ProbeNumber> probe_offset(const Probe& probe, const SumVertex& v) const {
-    const ProbeNumber scale(std::int64_t{1} << probe.shift);
-    const ProbeNumber k(probe.numerator);
-    const auto offset = as<ProbeNumber>(minus(start(probe.segment), position(v)));
-    const auto d = as<ProbeNumber>(direction(probe.segment.edge));
-    return {ProbeNumber(offset.x * scale + d.x * k), ProbeNumber(offset.y * scale + d.y * k)};
+    const Vec<Coord> offset = minus(start(probe.segment), position(v));
+    const Vec<Coord> d = direction(probe.segment.edge);
+    const auto coordinate = [&](const Coord& from, const Coord& along) {
+      return ProbeNumber(product<ProbeNumber>(from, std::int64_t{1} << probe.shift) +
+                         product<ProbeNumber>(along, probe.numerator));
+    };
+    return {coordinate(offset.x, d.x), coordinate(offset.y, d.y)};
   }
 
   std::vector<Vec<Coord>> sites_;

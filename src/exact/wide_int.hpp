@@ -206,8 +206,8 @@ constexpr Wide product(const A& a, const B& b) {
   }
 }
 /// Returns the cross product of two vectors, which `Wide` holds, in as many steps.
-template <class Wide, class Number>
-constexpr Wide exact_cross(const Vec<Number>& a, const Vec<Number>& b) {
+template <class Wide, class A, class B>
+constexpr Wide exact_cross(const Vec<A>& a, const Vec<B>& b) {
   return Wide(product<Wide>(a.x, b.y) - product<Wide>(a.y, b.x));
 }
 /// The same for the dot product.
