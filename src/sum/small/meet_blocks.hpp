@@ -12,7 +12,8 @@ struct BlockMeetings {
   LaneBits right = 0;
   /// On the way of t, behind its start, r leads to the right of t.
   LaneBits right_of_other = 0;
-  /// At the end of r, t leads to the left of r, or is on its line.
+  /// At the end of r, t leads to the left of r, or is on its line. Of the latter, those that do not
+  /// touch r may be missing.
   LaneBits at_end = 0;
   LaneBits at_end_of_other = 0;
   /// How many pairs doubles did not decide.
@@ -44,12 +45,11 @@ template <class Number>
     const std::size_t i = other * kLanes + t;
     if constexpr (std::is_same_v<Number, WideNumber> &&
                   !std::decay_t<decltype(lanes)>::kRoundsPoints) {
-      // Doubles do not decide pairs on about one line, and most of these are apart.
-      const auto meet = [&](double w, double to, double u) {
-        return std::abs(2 * to + u - w) <= std::abs(w) + std::abs(u) + 2 * numbers.reach;
-      };
-      const auto to = minus(starts[i], starts[of]);
-      if (!meet(ways[of].x, to.x, ways[i].x) || !meet(ways[of].y, to.y, ways[i].y)) {
+      // Doubles do not decide pairs on about one line, and most of these are apart. With the units
+      // of `reach_of`, the sides of the inequality in `do_boxes_meet` are off by less than 48u, and
+      // this slack is 64u.
+      const double slack = 2 * numbers.reach;
+      if (!do_boxes_meet(ways[of], minus(starts[i], starts[of]), ways[i], slack)) {
         return LaneBits{0};
       }
     }

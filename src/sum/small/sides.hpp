@@ -320,6 +320,21 @@ template <std::size_t kKinds, class Number, class Test>
   return result;
 }
 
+/// Whether the boxes of two edges meet, or are at most half of `slack` apart. The first edge has
+/// this way, and sees the start of the other one, t, at `a`.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline bool do_boxes_meet(const Vec<Number>& way,
+                                                            const Vec<Number>& a,
+                                                            const Vec<Number>& t,
+                                                            const Number& slack = Number(0)) {
+  const auto meet = [&](const Number& w, const Number& to, const Number& u)
+      __attribute__((always_inline)) {
+    const auto size = [](const Number& value) { return value < Number(0) ? -value : value; };
+    return size(to + to + u - w) <= size(w) + size(u) + slack;
+  };
+  return meet(way.x, a.x, t.x) & meet(way.y, a.y, t.y);
+}
+
 /// Segment t starts at `a`, seen from the start of r.
 template <class Lanes, class Vector>
 [[gnu::always_inline]] inline Sides sides(const Lanes& lanes, const Vector& r, const Vector& a,

@@ -47,18 +47,6 @@ struct SmallEdges {
   }
 };
 
-/// Whether the boxes of two edges meet. The first one has this way, and sees the start of the
-/// other one, t, at `a`.
-template <class Integer>
-[[nodiscard, gnu::always_inline]] inline bool do_boxes_meet(const Vec<Integer>& way,
-                                                            const Vec<Integer>& a,
-                                                            const Vec<Integer>& t) {
-  const auto meet = [](Integer w, Integer to, Integer u) __attribute__((always_inline)) {
-    const auto size = [](Integer value) { return value < Integer(0) ? -value : value; };
-    return size(to + to + u - w) <= size(w) + size(u);
-  };
-  return meet(way.x, a.x, t.x) & meet(way.y, a.y, t.y);
-}
 /// Returns which of eight edges of a ring, from `first` on, edge i of another one meets. The
 /// `wanted` ones are looked for.
 template <class Number>
