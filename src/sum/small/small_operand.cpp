@@ -73,10 +73,6 @@ class RingLoader {
  private:
   using Coordinate = std::conditional_t<kWide, Int128, double>;
 
-  static double near_double(Integer value) {
-    if constexpr (kWide) return to_near_double(value);
-    return static_cast<double>(value);
-  }
   /// Brings a coordinate to the grid. Returns false if it is not an integer there, or too long.
   [[nodiscard, gnu::always_inline]] bool take(const StoredCoordinate& c, int exp2, int exp10,
                                               Integer& value) const {
@@ -137,14 +133,14 @@ class RingLoader {
     for (std::uint32_t i = 0; i < size; ++i) {
       if constexpr (kWide) {
         at_whole[i] = plus(at_whole[i], by);
-        x[i] = near_double(at_whole[i].x);
-        y[i] = near_double(at_whole[i].y);
+        x[i] = to_near_double(at_whole[i].x);
+        y[i] = to_near_double(at_whole[i].y);
       } else {
         x[i] += static_cast<double>(by.x);
         y[i] += static_cast<double>(by.y);
       }
     }
-    return ring.finish(is_outer, size, near_double(corner.x - corner_.x));
+    return ring.finish(is_outer, size, to_near_double(corner.x - corner_.x));
   }
   /// Takes the box of a ring, by its lower left corner. Returns false if it is too wide, or if it
   /// is a hole's and not inside that of the outer ring.
