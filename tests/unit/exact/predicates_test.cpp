@@ -82,8 +82,8 @@ TEST(WideInt, MultipliesShorterNumbers) {
 /// Returns the same two operands on every rung.
 std::vector<std::unique_ptr<Operands>> on_all_rungs(const Region& p, const Region& q) {
   std::vector<std::unique_ptr<Operands>> all;
-  for (const Arithmetic rung :
-       {Arithmetic::kNarrow, Arithmetic::kMedium, Arithmetic::kWide, Arithmetic::kArbitrary}) {
+  for (const Arithmetic rung : {Arithmetic::kNarrow, Arithmetic::kMedium, Arithmetic::kWide,
+                                Arithmetic::kArbitrary}) {
     SumSettings options;
     options.arithmetic = rung;
     all.push_back(std::make_unique<Operands>());
@@ -172,9 +172,7 @@ TEST_F(Rungs, OrderCrossingsAlikeAndTotally) {
         ASSERT_EQ(order, first.kernel->compare_along(s, a, b));
         ASSERT_EQ(order, -o->kernel->compare_along(s, b, a));
         const double difference = o->kernel->parameter(s, a) - o->kernel->parameter(s, b);
-        if (std::abs(difference) > 0x1p-40) {
-          ASSERT_EQ(order, sign_of(difference));
-        }
+        if (std::abs(difference) > 0x1p-40) { ASSERT_EQ(order, sign_of(difference)); }
       }
     }
   }
@@ -249,9 +247,7 @@ void expect_exact_zeros(const Region& p, const Region& q, Arithmetic rung) {
         ASSERT_EQ(ladder.cross(e, f), o.kernel->cross(e, f));
         const bool along_one =
             ladder.component(e, axis) == kZero && ladder.component(f, axis) == kZero;
-        if (along_one) {
-          ASSERT_EQ(ladder.counts().by_kernel, before);
-        }
+        if (along_one) { ASSERT_EQ(ladder.counts().by_kernel, before); }
         ASSERT_EQ(ladder.dot(e, f), o.kernel->dot(e, f));
       }
     }
