@@ -127,6 +127,7 @@ struct CoverScratch {
   std::vector<LookedAt> looked_at;
   std::vector<Line> visible;         ///< the lines of the sample's visible segments
   std::vector<BoxOf<double>> boxes;  ///< of some of these lines
+  std::vector<double> weights;       ///< how many segments each of them stands for
   Bitmap known;                      ///< cells that were covered on the grid before
   Bitmap best;                       ///< cells that are covered on the best grid so far
 };

@@ -10,15 +10,25 @@
 namespace minksum {
 namespace {
 
+/// Returns the vector of a line.
+Vec<double> way(const Line& line) { return {line.end.x - line.start.x, line.end.y - line.start.y}; }
+BoxOf<double> box_of(const Line& line) {
+  const auto& [a, b] = line;
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+}
+
 struct MeetingsSeen {
-  std::uint64_t near_pairs = 0;
-  std::uint64_t near_in_uncovered = 0;
-  std::uint64_t crossings = 0;
+  double near_pairs = 0;
+  double near_in_uncovered = 0;
+  double crossings = 0;
+  std::uint64_t overlaps = 0;  ///< pairs that can be joined
 };
 
 /// Counts pairs of lines: those whose boxes overlap, those of them with the middle of the overlap
-/// in an uncovered cell, and those that cross in an uncovered cell, but not near an end.
-MeetingsSeen count_meetings(std::span<const Line> lines, const Cover& cover,
+/// in an uncovered cell, those that cross in an uncovered cell, but not near an end, and those that
+/// can be joined. A pair counts as often as the product of `weight_of(i)` of both.
+template <class WeightOf>
+MeetingsSeen count_meetings(std::span<const Line> lines, const Cover& cover, WeightOf weight_of,
                             CoverScratch& scratch) {
   constexpr double kEnd = 0x1p-20;
   MeetingsSeen count;
@@ -27,31 +37,63 @@ MeetingsSeen count_meetings(std::span<const Line> lines, const Cover& cover,
   const auto is_uncovered = [&](double x, double y) {
     return !cover.is_covered(cover.grid.column(x), cover.grid.row(y));
   };
-  for (const auto& [a, b] : lines) {
-    const BoxOf<double> box{std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x),
-                            std::max(a.y, b.y)};
-    for (std::size_t j = 0; j < boxes.size(); ++j) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto& [a, b] = lines[i];
+    const BoxOf<double> box = box_of(lines[i]);
+    for (std::size_t j = 0; j < i; ++j) {
       if (!box.meets(boxes[j])) continue;
-      ++count.near_pairs;
+      const double weight = weight_of(i) * weight_of(j);
+      count.near_pairs += weight;
       const BoxOf<double>& other = boxes[j];
       if (is_uncovered((std::max(box.x0, other.x0) + std::min(box.x1, other.x1)) / 2,
                        (std::max(box.y0, other.y0) + std::min(box.y1, other.y1)) / 2)) {
-        ++count.near_in_uncovered;
+        count.near_in_uncovered += weight;
       }
       const auto& [c, d] = lines[j];
       const Vec<double> u{b.x - a.x, b.y - a.y};
       const Vec<double> v{d.x - c.x, d.y - c.y};
       const Vec<double> w{c.x - a.x, c.y - a.y};
       const double area = cross(u, v);
+      if (area == 0) {
+        count.overlaps += cross(w, u) == 0 && dot(u, v) > 0;
+        continue;
+      }
       const double at_u = cross(w, v) / area;
       const double at_v = cross(w, u) / area;
-      // The tests fail if the area is zero.
       if (!(at_u > kEnd && at_u < 1 - kEnd && at_v > kEnd && at_v < 1 - kEnd)) continue;
-      if (is_uncovered(a.x + at_u * u.x, a.y + at_u * u.y)) ++count.crossings;
+      if (is_uncovered(a.x + at_u * u.x, a.y + at_u * u.y)) count.crossings += weight;
     }
     boxes.push_back(box);
   }
   return count;
+}
+
+/// Joins lines that overlap on one line in one direction, as the arrangement does. Each line stands
+/// for `each`, but for itself alone if others were joined to it: those that were not seen are part
+/// of it, too.
+void join_overlaps(std::vector<Line>& lines, double each, std::vector<double>& weights) {
+  weights.clear();
+  for (const Line line : lines) {
+    const Vec<double> u = way(line);
+    const BoxOf<double> box = box_of(line);
+    const auto joins = [&](const Line& other) {
+      const Vec<double> v = way(other);
+      return cross(u, v) == 0 && cross(u, way({line.start, other.start})) == 0 && dot(u, v) > 0 &&
+             box.meets(box_of(other));
+    };
+    std::size_t k = 0;
+    while (k < weights.size() && !joins(lines[k])) ++k;
+    if (k == weights.size()) {
+      lines[k] = line;
+      weights.push_back(each);
+      continue;
+    }
+    auto& [start, end] = lines[k];
+    if (dot(u, way({line.start, start})) > 0) start = line.start;
+    if (dot(u, way({end, line.end})) > 0) end = line.end;
+    weights[k] = 1;
+  }
+  lines.resize(weights.size());
 }
 
 }  // namespace
@@ -239,11 +281,20 @@ Visibility look(const Sample& sample, const Cover& cover, Cancellation& cancella
       std::min(visible.size(), static_cast<std::size_t>(lines_compared(left)));
   if (count < 2) return seen;
   for (std::size_t i = 0; i < count; ++i) visible[i] = visible[i * visible.size() / count];
-  const MeetingsSeen meetings = count_meetings({visible.data(), count}, cover, scratch);
-  const double all = left / static_cast<double>(count);
-  seen.near_pairs = static_cast<double>(meetings.near_pairs) * all * all;
-  seen.near_in_uncovered = static_cast<double>(meetings.near_in_uncovered) * all * all;
-  seen.crossings = static_cast<double>(meetings.crossings) * all * all;
+  visible.resize(count);
+  const double each_compared = left / static_cast<double>(count);
+  MeetingsSeen meetings = count_meetings(
+      visible, cover, [&](std::size_t) { return each_compared; }, scratch);
+  // Fewer overlaps hardly change the estimate.
+  if (meetings.overlaps >= count) {
+    auto& weights = scratch.weights;
+    join_overlaps(visible, each_compared, weights);
+    meetings = count_meetings(
+        visible, cover, [&](std::size_t i) { return weights[i]; }, scratch);
+  }
+  seen.near_pairs = meetings.near_pairs;
+  seen.near_in_uncovered = meetings.near_in_uncovered;
+  seen.crossings = meetings.crossings;
   return seen;
 }
 
