@@ -84,8 +84,8 @@ class SmallMeetings {
   std::array<Pair, kMax> pairs_;
 };
 
-/// Finds all meetings. Returns false if there are too many, or more than `most_right` on the right,
-/// or if too many pairs of blocks of eight are near one another.
+/// Finds all meetings. Returns false if there are too many, or, for parts of segments, more than
+/// `most_right` on the right, or if too many pairs of blocks of eight are near one another.
 template <class Number>
 [[gnu::always_inline]] inline bool find_meetings(const SmallNumbers<Number>& numbers,
                                                  const SmallSegments& s, double most_right,
@@ -143,13 +143,15 @@ template <class Number>
       return true;
     };
     if (!blocks.for_each_near(blocks.box_of(i), i, meet_all)) return false;
+    if (s.in_part) {
+      if (m.right_count > most_right) return false;
+      continue;
+    }
     // Blocks that come first are compared with more of the others, so they may have more. With
-    // 2 - seen, the same 544 sums took 1.015 times as long. Parts may have twice as many, since
-    // what a sample has told of them is off by a quarter or so.
+    // 2 - seen, the same 544 sums took 1.015 times as long.
     const double seen = std::min(static_cast<double>((i + 1) * kLanes) / s.size, 1.0);
     const auto many = static_cast<std::uint32_t>(s.size * seen * (1.5 - seen / 2));
-    if (m.right_count > (s.in_part ? 2 : 1) * most_right_meetings(many)) return false;
-    if (m.right_count > most_right) return false;
+    if (m.right_count > most_right_meetings(many)) return false;
     // Up to twice this share of all pairs has been seen.
     if (m.size() > SmallMeetings::most(std::min<std::size_t>(2 * (i + 1) * kLanes, s.size))) {
       m.parts_would_not_help = true;

@@ -124,18 +124,20 @@ void add_holes(const WayFractions<Number>& ways, const SmallSegments& segments, 
   }
 }
 
-/// Puts the segments in order, and finds their meetings. Returns null if these are too many.
+/// Puts the segments in order, and finds their meetings. Returns null if these are too many, or if
+/// parts of segments have more than `most_right` on the right.
 template <class Number>
 const SmallSegments* meet(const SmallNumbers<Number>& numbers, double width,
-                          SmallScratch::State& scratch) {
+                          SmallScratch::State& scratch, double most_right = HUGE_VAL) {
   SmallSegments* segments = &scratch.segments;
   segments->finish(numbers.reach);
   if (segments->is_out_of_order()) {
     scratch.order.apply(*segments, width, numbers.reach, scratch.ordered);
     segments = &scratch.ordered;
   }
-  return find_meetings_by(widest_vectors(), numbers, *segments, scratch.meetings) ? segments
-                                                                                  : nullptr;
+  const bool found =
+      find_meetings_by(widest_vectors(), numbers, *segments, scratch.meetings, most_right);
+  return found ? segments : nullptr;
 }
 
 /// Finds the parts of the segments that may be boundary, and their meetings. Returns null if these
@@ -159,8 +161,10 @@ const SmallSegments* meet_in_part(const SmallNumbers<Number>& numbers, const Sma
       return nullptr;
     }
   }
+  // What the sample told is off by a quarter or so.
+  const double most_right = 1.5 * most_right_meetings(scratch.segments.size);
   clipper.clip(scratch.segments);
-  return meet(numbers, width, scratch);
+  return meet(numbers, width, scratch, most_right);
 }
 
 template <class Number>
