@@ -45,6 +45,7 @@ void see_part(const Cover& cover, const Line& line, BoxOf<double>& box) {
 void cover_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
                  SmallCover& cover) {
   cover.cover.active = false;
+  cover.crossings = 0;
   // With fewer segments, a cover took as long as it saved, or longer: of 500 sums of 250 to 700
   // segments, it made 1.0 to 1.2 of the time.
   constexpr double kFewest = 700;
@@ -68,8 +69,9 @@ void cover_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperan
   // operand is small beside the other's features, and nothing is covered. With 0.01 or 0.04, 209
   // sums took 1.01 times as long on the geometric mean.
   constexpr double kFewCrossings = 0.02;
-  const double crossings = run * rise / ((p.extent.x + q.extent.x) * (p.extent.y + q.extent.y));
-  if (crossings < kFewCrossings * plan.segments) return;
+  cover.crossings =
+      run * rise / ((p.extent.x + q.extent.x) * (p.extent.y + q.extent.y) * plan.segments);
+  if (cover.crossings < kFewCrossings) return;
   // What a segment takes, in words moved: 60, 90 and 130 ns.
   const double price = plan.numbers == SmallNumberType::kDoubles   ? 430
                        : plan.numbers == SmallNumberType::kRounded ? 640

@@ -25,10 +25,11 @@ struct SmallCover {
   CoverScratch scratch;
   std::array<SmallLinks, 2> links;       ///< of both operands
   std::vector<std::uint32_t> uncovered;  ///< memory for `UncoveredCounts`
+  double crossings;                      ///< about how many each segment has, or 0
 };
 
 /// Marks cells inside the sum if the segments have many crossings, and if that is cheap beside
-/// arranging them.
+/// arranging them. Sums of few segments have no cover, and their crossings are not estimated.
 void cover_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
                  SmallCover& cover);
 

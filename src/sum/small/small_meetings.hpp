@@ -1,7 +1,7 @@
 // Finds the meetings of the segments of a small convolution.
 #pragma once
 
-#include <cmath>
+#include <optional>
 
 #include "machine/vectors.hpp"
 #include "sum/small/meet_blocks.hpp"
@@ -84,11 +84,13 @@ class SmallMeetings {
   std::array<Pair, kMax> pairs_;
 };
 
-/// Finds all meetings. Returns false if there are too many, or, for parts of segments, more than
-/// `most_right` on the right, or if too many pairs of blocks of eight are near one another.
+/// Finds all meetings. Returns false if there are more than `most_right` on the right, or, without
+/// that number, if the first segments have too many. Returns false as well if too many pairs of
+/// blocks of eight are near one another.
 template <class Number>
 [[gnu::always_inline]] inline bool find_meetings(const SmallNumbers<Number>& numbers,
-                                                 const SmallSegments& s, double most_right,
+                                                 const SmallSegments& s,
+                                                 std::optional<double> most_right,
                                                  SmallMeetings& m) {
   const SmallBlocks& blocks = s.blocks;
   const SegmentRows& boxes = s.boxes();
@@ -143,8 +145,8 @@ template <class Number>
       return true;
     };
     if (!blocks.for_each_near(blocks.box_of(i), i, meet_all)) return false;
-    if (s.in_part) {
-      if (m.right_count > most_right) return false;
+    if (most_right) {
+      if (m.right_count > *most_right) return false;
       continue;
     }
     // Blocks that come first are compared with more of the others, so they may have more. With
@@ -165,7 +167,7 @@ template <class Number>
 /// meetings, or if finding them takes too long: the stages are faster then.
 template <class Number>
 bool find_meetings_by(Vectors vectors, const SmallNumbers<Number>& numbers, const SmallSegments& s,
-                      SmallMeetings& m, double most_right = HUGE_VAL) {
+                      SmallMeetings& m, std::optional<double> most_right = {}) {
   return with_vectors(
       vectors, [&]() __attribute__((always_inline)) {
         return find_meetings(numbers, s, most_right, m);

@@ -42,6 +42,18 @@ constexpr auto kCurve = [] {
   return curve;
 }();
 
+/// Leaves out the segments whose lines are not wanted.
+template <class IsWanted>
+void keep_if(SmallSegments& s, IsWanted is_wanted) {
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < s.size; ++i) {
+    const Vec<double> start{s.x[i], s.y[i]};
+    if (is_wanted(Line{start, plus(start, s.way()[i])})) s.copy(s, i, kept++);
+  }
+  s.left_out += s.size - kept;
+  s.size = kept;
+}
+
 }  // namespace
 
 void SmallSegments::finish(double reach) {
@@ -97,28 +109,36 @@ void drop_copies(const SmallOperand& p, double width, SmallSegments& s) {
 void drop_hidden(const Cover& cover, std::vector<std::uint32_t>& counts, SmallSegments& s) {
   Cancellation never;
   const UncoveredCounts uncovered(cover, never, counts);
-  std::uint32_t kept = 0;
-  for (std::uint32_t i = 0; i < s.size; ++i) {
-    const Vec<double> start{s.x[i], s.y[i]};
-    if (!is_hidden(cover, uncovered, {start, plus(start, s.way()[i])})) s.copy(s, i, kept++);
-  }
-  s.left_out += s.size - kept;
-  s.size = kept;
+  keep_if(s, [&](const Line& line) { return !is_hidden(cover, uncovered, line); });
 }
 
-double take_sample(const SmallSegments& from, SmallSegments& to) {
+SmallSample take_sample(const Cover& cover, const SmallSegments& from, SmallSegments& to) {
   // Of meetings, the square of the share is left: 16 of the most that may be. So their number is
   // off by a quarter or so.
-  const auto size = static_cast<std::uint32_t>(std::sqrt(8.0 * from.size));
-  to.clear_as(from);
-  // Segments of regular shapes are alike at regular distances, so these are not regular.
-  std::uint32_t random = 1;
-  for (std::uint64_t k = 0; k < size; ++k) {
-    random = 1664525 * random + 1013904223;
-    to.copy(from, static_cast<std::uint32_t>(((k << 32U) + random) * from.size / size >> 32U),
-            to.size++);
+  const auto share_of = [](double segments) { return std::min(std::sqrt(8 / segments), 1.0); };
+  const auto take = [&](double share) {
+    const auto size = static_cast<std::uint32_t>(from.size * share);
+    to.clear_as(from);
+    // Segments of regular shapes are alike at regular distances, so these are not regular.
+    std::uint32_t random = 1;
+    for (std::uint64_t k = 0; k < size; ++k) {
+      random = 1664525 * random + 1013904223;
+      to.copy(from, static_cast<std::uint32_t>(((k << 32U) + random) * from.size / size >> 32U),
+              to.size++);
+    }
+    if (!cover.active) return;
+    keep_if(to,
+            [&](const Line& line) { return cells_near(cover, line, Until::kUncovered).uncovered; });
+  };
+  double share = share_of(from.size);
+  take(share);
+  const double whole = std::max(to.size / share, 1.0);
+  // If half of them or more are hidden, those that are left tell too little.
+  if (to.size <= to.left_out) {
+    share = share_of(whole);
+    take(share);
   }
-  return static_cast<double>(size) / from.size;
+  return {share, static_cast<std::uint32_t>(whole)};
 }
 
 void SmallOrder::apply(const SmallSegments& from, double width, double reach, SmallSegments& to) {

@@ -150,8 +150,13 @@ void drop_copies(const SmallOperand& p, double width, SmallSegments& segments);
 /// Leaves out the segments that touch no uncovered cell. `counts` is memory.
 void drop_hidden(const Cover& cover, std::vector<std::uint32_t>& counts, SmallSegments& segments);
 
-/// Copies one of every few segments, at random distances. Returns their share.
-double take_sample(const SmallSegments& from, SmallSegments& to);
+/// A sample of the segments that touch an uncovered cell.
+struct SmallSample {
+  double share;         ///< of these segments
+  std::uint32_t whole;  ///< about the number of these segments
+};
+/// Copies one of every few segments that touch an uncovered cell, at random distances.
+SmallSample take_sample(const Cover& cover, const SmallSegments& from, SmallSegments& to);
 
 /// Returns the most meetings on the right that so many segments may have. If they have more, most
 /// corners lie inside, and the stages are mostly faster. With 1.25, 1.5, 2, 2.5 and 3 for each

@@ -27,6 +27,26 @@ Cover random_cover(test::Random& random) {
   return cover;
 }
 
+// Lists 500 segments. Returns the lines of those that touch an uncovered cell.
+std::vector<Line> list_random(test::Random& random, const Cover& cover, SmallSegments& s) {
+  s.size = s.left_out = 0;
+  s.wide = s.in_part = false;
+  std::vector<Line> visible;
+  for (int k = 0; k < 500; ++k) {
+    const Vec<double> start{1.0 * random.between(0, 1599), 1.0 * random.between(0, 1279)};
+    const Vec<double> end{1.0 * random.between(0, 1599), 1.0 * random.between(0, 1279)};
+    const Vec<double> way = k % 2 == 0 ? minus(end, start) : Vec<double>{0, end.y - start.y};
+    s.x[s.size] = start.x;
+    s.y[s.size] = start.y;
+    s.dx[s.size] = way.x;
+    s.dy[s.size] = way.y;
+    s.origin[s.size++] = {};
+    const Line line{start, plus(start, way)};
+    if (cells_near(cover, line, Until::kUncovered).uncovered) visible.push_back(line);
+  }
+  return visible;
+}
+
 TEST(SmallSegments, ThoseInTheCoverAreDropped) {
   test::Random random(1);
   const auto s = std::make_unique_for_overwrite<SmallSegments>();
@@ -35,21 +55,7 @@ TEST(SmallSegments, ThoseInTheCoverAreDropped) {
   std::uint32_t seen = 0;
   for (int round = 0; round < 20; ++round) {
     const Cover cover = random_cover(random);
-    s->size = s->left_out = 0;
-    s->wide = s->in_part = false;
-    std::vector<Line> visible;
-    for (int k = 0; k < 500; ++k) {
-      const Vec<double> start{1.0 * random.between(0, 1599), 1.0 * random.between(0, 1279)};
-      const Vec<double> end{1.0 * random.between(0, 1599), 1.0 * random.between(0, 1279)};
-      const Vec<double> way = k % 2 == 0 ? minus(end, start) : Vec<double>{0, end.y - start.y};
-      s->x[s->size] = start.x;
-      s->y[s->size] = start.y;
-      s->dx[s->size] = way.x;
-      s->dy[s->size] = way.y;
-      s->origin[s->size++] = {};
-      const Line line{start, plus(start, way)};
-      if (cells_near(cover, line, Until::kUncovered).uncovered) visible.push_back(line);
-    }
+    const std::vector<Line> visible = list_random(random, cover, *s);
     drop_hidden(cover, counts, *s);
     ASSERT_EQ(s->size, visible.size());
     ASSERT_EQ(s->size + s->left_out, 500U);
@@ -62,6 +68,29 @@ TEST(SmallSegments, ThoseInTheCoverAreDropped) {
   }
   EXPECT_GT(hidden, 1000U);
   EXPECT_GT(seen, 1000U);
+}
+
+TEST(SmallSegments, ASampleTellsHowManyAreSeen) {
+  test::Random random(2);
+  const auto s = std::make_unique_for_overwrite<SmallSegments>();
+  const auto sample = std::make_unique_for_overwrite<SmallSegments>();
+  double told = 0;
+  double seen = 0;
+  for (int round = 0; round < 40; ++round) {
+    const Cover cover = random_cover(random);
+    const std::vector<Line> visible = list_random(random, cover, *s);
+    const auto [share, whole] = take_sample(cover, *s, *sample);
+    for (std::uint32_t i = 0; i < sample->size; ++i) {
+      const Vec<double> start{sample->x[i], sample->y[i]};
+      const Line line{start, plus(start, sample->way()[i])};
+      ASSERT_TRUE(cells_near(cover, line, Until::kUncovered).uncovered);
+    }
+    ASSERT_EQ(s->size, 500U);
+    ASSERT_LE(sample->size, share * 500);
+    told += whole;
+    seen += static_cast<double>(visible.size());
+  }
+  EXPECT_NEAR(told / seen, 1, 0.1);
 }
 
 }  // namespace
