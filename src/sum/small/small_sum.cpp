@@ -193,11 +193,7 @@ const SmallSegments* meet(const SmallNumbers<Number>& numbers, const SmallPlan& 
   drop();
   // What the sample tells is off by a quarter or so.
   const double most_of_all = 1.5 * most_right_meetings(segments.size);
-  if (more <= most_more) {
-    const SmallSegments* const met = meet(numbers, width, scratch, most_of_all);
-    if (met != nullptr) return met;
-  }
-  clipper.clip(segments);
+  if (more > most_more) clipper.clip(segments);
   return meet(numbers, width, scratch, most_of_all);
 }
 
