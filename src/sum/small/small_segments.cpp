@@ -116,28 +116,28 @@ SmallSample take_sample(const Cover& cover, const SmallSegments& from, SmallSegm
   // Of meetings, the square of the share is left: 16 of the most that may be. So their number is
   // off by a quarter or so.
   const auto share_of = [](double segments) { return std::min(std::sqrt(8 / segments), 1.0); };
+  // Returns the share that was taken of all segments.
   const auto take = [&](double share) {
-    const auto size = static_cast<std::uint32_t>(from.size * share);
     to.clear_as(from);
-    // Segments of regular shapes are alike at regular distances, so these are not regular.
+    // Each pair must be as likely as any other: of those far apart in the list, fewer meet.
+    const auto below = static_cast<std::uint64_t>(share * 0x1p32);
     std::uint32_t random = 1;
-    for (std::uint64_t k = 0; k < size; ++k) {
+    for (std::uint32_t i = 0; i < from.size; ++i) {
       random = 1664525 * random + 1013904223;
-      to.copy(from, static_cast<std::uint32_t>(((k << 32U) + random) * from.size / size >> 32U),
-              to.size++);
+      if (random < below) to.copy(from, i, to.size++);
     }
-    if (!cover.active) return;
-    keep_if(to,
-            [&](const Line& line) { return cells_near(cover, line, Until::kUncovered).uncovered; });
+    const double taken = std::max(to.size, 1U) / static_cast<double>(from.size);
+    if (cover.active) {
+      keep_if(to, [&](const Line& line) {
+        return cells_near(cover, line, Until::kUncovered).uncovered;
+      });
+    }
+    return taken;
   };
-  double share = share_of(from.size);
-  take(share);
+  double share = take(share_of(from.size));
   const double whole = std::max(to.size / share, 1.0);
   // If half of them or more are hidden, those that are left tell too little.
-  if (to.size <= to.left_out) {
-    share = share_of(whole);
-    take(share);
-  }
+  if (to.size <= to.left_out) share = take(share_of(whole));
   return {share, static_cast<std::uint32_t>(whole)};
 }
 
