@@ -113,8 +113,7 @@ void drop_hidden(const Cover& cover, std::vector<std::uint32_t>& counts, SmallSe
 }
 
 SmallSample take_sample(const Cover& cover, const SmallSegments& from, SmallSegments& to) {
-  // Of meetings, the square of the share is left: 16 of the most that may be. So their number is
-  // off by a quarter or so.
+  // Of meetings, the square of the share is left: 16 for two meetings of each segment.
   const auto share_of = [](double segments) { return std::min(std::sqrt(8 / segments), 1.0); };
   // Returns the share that was taken of all segments.
   const auto take = [&](double share) {
