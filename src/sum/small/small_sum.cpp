@@ -167,9 +167,10 @@ const SmallSegments* meet_or_give_up(const SmallNumbers<Number>& numbers, const 
   SmallSegments& sample = scratch.ordered;
   const auto [share, count] = take_sample(cover, segments, sample);
   const double of_pairs = share * share;
-  // What a sample tells is off by a fifth or so. With 1, five of 670 sums took over 1.3 times as
-  // long as without a sample, up to 4.5 times, and without a limit for all meetings two took over
-  // twice as long: their segments lie on few lines, which the stages join.
+  // What a sample tells is off by a fifth or so. With 1 instead of 1.5, five of 670 sums took 1.7
+  // to 4.5 times as long as if a walk was always tried. All meetings of parts may be one more for
+  // each segment, as at the ends of outlines. Without that limit, two of the sums took over twice
+  // as long: their segments lie on few lines, which the stages join.
   const double most_right = 1.5 * most_right_meetings(count) * of_pairs;
   const double most = (4.0 * count + 64) * of_pairs;
   // Returns the number of meetings on the right, or infinity if there are too many.
