@@ -119,6 +119,26 @@ TEST(SmallSum, HasHoles) {
   EXPECT_EQ(result.hole_count(), 0U);
 }
 
+TEST(SmallSum, HasHolesWhereNumbersAreLong) {
+  // The operands' own numbers have some 120 and 61 bits, and some 180 on one grid.
+  const Rational one_and_little(1'000'000'000'000'000'001, 1'000'000'000'000'000'000);
+  const Affine twice = Affine::scaling(one_and_little * one_and_little);
+  const Affine binary =
+      Affine::scaling(Rational((std::int64_t{1} << 61) + 1, std::int64_t{1} << 61));
+  const Region triangle = make_polygon({{0, 0}, {2, 1}, {1, 3}});
+  const Region p =
+      transform(with_holes({{{1, 2}, {2, 6}, {4, 4}}, {{5, 5}, {8, 6}, {6, 8}}}), twice);
+  SumSettings by_stages;
+  by_stages.small = false;
+  for (const int part : {1, 8, 1000}) {
+    const Region q = transform(transform(triangle, Affine::scaling(Rational(1, part))), binary);
+    const DetailedSum detailed = detailed_sum(p, q);
+    EXPECT_TRUE(detailed.statistics.small) << part;
+    EXPECT_EQ(detailed.sum.region.hole_count(), part == 1 ? 0U : 2U);
+    EXPECT_EQ(detailed.sum.region, minkowski_sum(p, q, by_stages));
+  }
+}
+
 TEST(SmallSum, HasHolesInOrder) {
   // Most corners of the sum's holes are no integers.
   const test::Outline left{{1, 2}, {2, 6}, {4, 4}};
