@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,11 @@ inline int bit_width(Int128 value) {
   const auto high = static_cast<std::uint64_t>(magnitude >> 64);
   return high != 0 ? 64 + static_cast<int>(std::bit_width(high))
                    : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
+}
+
+/// Returns value · 2^64 + limb.
+constexpr Int128 with_limb_below(Int128 value, std::uint64_t limb) {
+  return static_cast<Int128>(static_cast<Uint128>(value) << 64U | limb);
 }
 
 /// Returns a bound on the bits of 10^exponent.
@@ -130,6 +136,13 @@ class WideInt {
     }
     return std::strong_ordering::equal;
   }
+  /// Returns value · 2^64 + limb.
+  [[nodiscard]] constexpr WideInt moved_up(std::uint64_t limb) const {
+    WideInt result;
+    for (std::size_t i = N - 1; i > 0; --i) result.limbs_[i] = limbs_[i - 1];
+    result.limbs_[0] = limb;
+    return result;
+  }
   [[nodiscard]] constexpr WideInt magnitude() const { return negative() ? -*this : *this; }
   /// Returns the value modulo 2^128.
   [[nodiscard]] constexpr Int128 to_int128() const {
@@ -154,6 +167,19 @@ class WideInt {
 };
 
 template <std::size_t N>
+constexpr WideInt<N> with_limb_below(const WideInt<N>& value, std::uint64_t limb) {
+  return value.moved_up(limb);
+}
+/// Returns the count of bits of the magnitude.
+template <std::size_t N>
+int bit_width(const WideInt<N>& value) {
+  const WideInt<N> magnitude = value.magnitude();
+  std::size_t k = N - 1;
+  while (k > 0 && magnitude.limb(k) == 0) --k;
+  return static_cast<int>(64 * k) + static_cast<int>(std::bit_width(magnitude.limb(k)));
+}
+
+template <std::size_t N>
 constexpr const WideInt<N>& as_limbs(const WideInt<N>& value) {
   return value;
 }
@@ -173,6 +199,21 @@ inline double to_near_double(Int128 value) {
   const auto low = static_cast<std::int64_t>(value);
   const auto high = static_cast<std::int64_t>((value - low) >> 64);
   return static_cast<double>(high) * 0x1p64 + static_cast<double>(low);
+}
+/// The same of longer numbers. Proof of the error: bits below the 64 highest are left out, which
+/// are less than 2^-63 of the value, and these 64 are rounded by 2^-53.
+template <std::size_t N>
+double to_near_double(const WideInt<N>& value) {
+  const WideInt<N> magnitude = value.magnitude();
+  std::size_t k = N - 1;
+  while (k > 0 && magnitude.limb(k) == 0) --k;
+  const std::uint64_t high = magnitude.limb(k);
+  if (high == 0) return 0;
+  const int shift = std::countl_zero(high);
+  const std::uint64_t low = k == 0 || shift == 0 ? 0 : magnitude.limb(k - 1) >> (64 - shift);
+  const double near =
+      std::ldexp(static_cast<double>(high << shift | low), static_cast<int>(64 * k) - shift);
+  return value.negative() ? -near : near;
 }
 /// Returns a double with a relative error under 2^-51. Proof: let limb k be the highest that is not
 /// 0. It is rounded by 2^-53, and so is the sum with limb k - 1. That sum is 2^64 at least, before

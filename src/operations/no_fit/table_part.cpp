@@ -24,6 +24,7 @@ int TablePart::quarters(std::size_t direction) const {
 bool TablePart::read_small_part() {
   SmallOperand read;
   if (!is_by_role(options_->fill) || !read_small(given_->region, read)) return false;
+  if (read.is_long()) return false;  // these tables keep offsets in Int128
   read.offset = {read.offset.x - read.first.x, read.offset.y - read.first.y};
   small_.resize(directions_);
   for (std::size_t i = 0; i < directions_; ++i) turn(read, quarters(i), small_[i]);

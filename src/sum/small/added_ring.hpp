@@ -40,24 +40,30 @@ namespace minksum {
     if (x[i] != left) continue;
     const auto is_less = [&](std::uint32_t j) {
       if (!s.is_wide()) return y[i] < y[j];
-      const Vec<Int128>& a = s.whole()[i];
-      const Vec<Int128>& b = s.whole()[j];
-      return a.x != b.x ? a.x < b.x : a.y < b.y;
+      const auto is_before = [](const auto& a, const auto& b) {
+        return a.x != b.x ? a.x < b.x : a.y < b.y;
+      };
+      if (s.is_long()) return is_before(s.whole<WideNumber>()[i], s.whole<WideNumber>()[j]);
+      return is_before(s.whole()[i], s.whole()[j]);
     };
     if (smallest == end || is_less(smallest)) smallest = i;
   }
   return smallest;
 }
 
-/// A ring that is added to an operand. The caller sets its vertices' places and indices.
-template <bool kWide>
+/// A ring that is added to an operand. The caller sets its vertices' places and indices. `Number`
+/// holds coordinates: double, or the integers of a wide operand.
+template <class Number>
 class AddedRing {
+  static constexpr bool kWide = !std::is_same_v<Number, double>;
+  using Integer = std::conditional_t<kWide, Number, Int128>;
+
  public:
   explicit AddedRing(SmallOperand& s)
       : s_(s), begin_(static_cast<std::uint32_t>(filled_up(s.entries))) {}
 
   [[nodiscard]] double* row(SmallOperand::Row at) const { return s_[at] + begin_; }
-  [[nodiscard]] Vec<Int128>* whole() const { return s_.whole().data() + begin_; }
+  [[nodiscard]] Vec<Integer>* whole() const { return s_.whole<Integer>().data() + begin_; }
   /// Adds the ring of `size` vertices. `left` is the smallest x of these. Turns it so that the
   /// region is on its left, and drops vertices in the middle of straight edges. Returns false if it
   /// has a spike or less than three vertices.
@@ -86,12 +92,12 @@ class AddedRing {
   }
 
  private:
-  using Vector = std::conditional_t<kWide, SureVec<Int128>, Vec<double>>;
+  using Vector = std::conditional_t<kWide, SureVec<Integer>, Vec<double>>;
 
   /// Returns the way between two of the ring's vertices.
   [[nodiscard]] Vector way(std::uint32_t from, std::uint32_t to) const {
     if constexpr (kWide) {
-      const Vec<Int128> way = minus(whole()[to], whole()[from]);
+      const Vec<Integer> way = minus(whole()[to], whole()[from]);
       return {rounded(way), way};
     } else {
       const double* const x = row(SmallOperand::kX);
@@ -107,7 +113,7 @@ class AddedRing {
   /// Positive if the ring turns left from one edge to the next one.
   [[nodiscard, gnu::always_inline]] double turn(const Vector& in, const Vector& out) const {
     if constexpr (kWide) {
-      return SureLanes<Int128>{{reach_of(std::max(s_.extent.x, s_.extent.y))}}.turn(in, out);
+      return SureLanes<Integer>{{reach_of(std::max(s_.extent.x, s_.extent.y))}}.turn(in, out);
     } else {
       const double turn = cross(in, out);  // its sign is exact, unless it is zero
       using Lanes = SureLanes<std::uint64_t>;

@@ -22,6 +22,10 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
       double* const y = to[row_y];
       if (rounded && row_x == SmallOperand::kX) {
         // The difference of two rounded numbers would be off by more than a rounded one.
+        if (to.is_long()) {
+          to.turn_long();
+          continue;
+        }
         for (std::size_t i = 0; i < entries; ++i) {
           const Vec<Int128> before = to.whole_at(i);
           const Vec<Int128> at{to.whole_extent.y - before.y, before.x};
@@ -59,8 +63,9 @@ Refinement finer_grid(int exp2, int exp10, const SmallOperand& s) {
     }
   }
   Int128 steps = 1;
-  const bool fit =
-      scale(tens, twos, steps) && static_cast<double>(steps) * width <= SmallOperand::kWidestFine;
+  const double farthest = s.is_long() ? s.long_reach() : width;
+  const bool fit = scale(tens, twos, steps) &&
+                   static_cast<double>(steps) * farthest <= SmallOperand::kWidestFine;
   return fit ? Refinement{static_cast<double>(steps), true} : Refinement{};
 }
 
@@ -79,8 +84,9 @@ void refine(int exp2, int exp10, std::uint32_t entries, const SmallOperand& from
     to.holes = from.holes;
     to.ends = from.ends;
     to.first = from.first;
-    to.make_rows(room, from.is_wide());
+    to.make_rows(room, from.is_wide(), from.is_long());
     std::copy_n(from.whole().begin(), to.whole().size(), to.whole().begin());
+    if (from.is_long()) to.copy_long(from);
     for (const auto row : {SmallOperand::kVertexSource, SmallOperand::kEdgeSource}) {
       std::copy_n(from[row], room, to[row]);
     }

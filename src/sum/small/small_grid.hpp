@@ -7,13 +7,15 @@
 
 #include "exact/formulas.hpp"
 #include "exact/wide_int.hpp"
+#include "sum/small/small_vectors.hpp"
 
 namespace minksum {
 
 /// The largest offset and coordinate: sums of two offsets and two coordinates fit in 64 bits.
 inline constexpr std::int64_t kFarthest = std::int64_t{1} << 60;
-/// The bits of those of a wide operand.
+/// The bits of those of a wide operand, and of a long one.
 inline constexpr int kFarthestBits = 125;
+inline constexpr int kFarthestLongBits = 250;
 
 inline constexpr int kMostTwos = 60;  // a higher power of two is beyond the largest offset, too
 inline constexpr auto kPowersOfTen = [] {
@@ -43,8 +45,17 @@ inline bool scale(int tens, int twos, Int128& value) {
   return true;
 }
 
+inline bool scale(int tens, int twos, WideNumber& value) {
+  if (value == WideNumber(0)) return true;
+  if (bit_width(value) + bits_of_ten_to(tens) + twos > kFarthestLongBits) return false;
+  for (; tens > 0; --tens) value = product<WideNumber>(value, std::int64_t{10});
+  for (; twos > 0; --twos) value = value + value;
+  return true;
+}
+
 /// Returns an integer vector, with relative errors under 2^-52.
-[[nodiscard]] inline Vec<double> rounded(const Vec<Int128>& v) {
+template <class Integer>
+[[nodiscard]] Vec<double> rounded(const Vec<Integer>& v) {
   return {to_near_double(v.x), to_near_double(v.y)};
 }
 

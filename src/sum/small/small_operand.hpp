@@ -19,7 +19,8 @@ namespace minksum {
 /// counter-clockwise, so that vectors can be loaded from them. The rings of holes follow,
 /// clockwise, each from a multiple of eight on. Edge i starts at vertex i. Entries between rings
 /// are edges of length zero. If doubles do not hold the coordinates, the operand is wide: the
-/// doubles are rounded, and another array holds the integers.
+/// doubles are rounded, and another array holds the integers. If these have more than 125 bits, the
+/// wide operand is long.
 ///
 /// On a finer grid than its own, each coordinate is that on its own grid times a number of steps.
 /// Doubles hold or round the product. If they round it, it is not computed until it is needed.
@@ -33,7 +34,8 @@ class SmallOperand {
   /// The largest extent of a box, unless the operand is wide. Doubles hold twice the sum of two
   /// points of it.
   static constexpr double kWidest = 0x1p49;
-  /// The largest extent of a wide operand's box on its own grid, and of any box on a finer grid.
+  /// The largest extent of a wide operand's box on its own grid, unless it is long, and of any box
+  /// on a finer grid.
   static constexpr double kWidestWide = 0x1p125;
   static constexpr double kWidestFine = 0x1p250;
 
@@ -76,14 +78,28 @@ class SmallOperand {
   /// How many steps of the grid a unit of whole numbers has: 1 unless doubles round the products.
   Int128 steps = 1;
   double units = 1;  ///< 1 / steps
+  // Extent and offset of a long operand. Then those above have no meaning.
+  Vec<WideNumber> long_extent{};
+  Vec<WideNumber> long_offset{};
 
   /// Makes room for rows of so many vertices. Values must be set before they are read.
-  void make_rows(std::size_t vertices, bool wide) {
+  void make_rows(std::size_t vertices, bool is_wide, bool is_long) {
     stride_ = filled_up(vertices);
     rows_.resize(kRows * stride_);
-    whole_.resize(wide ? stride_ : 0);
+    whole_.resize(is_wide && !is_long ? stride_ : 0);
+    is_long_ = is_long;
+    if (is_long) long_.resize(stride_);
   }
-  [[nodiscard]] bool is_wide() const { return !whole_.empty(); }
+  [[nodiscard]] bool is_wide() const { return !whole_.empty() || is_long(); }
+  /// Whether small operands may be long. The module for browsers has no room for that code: there,
+  /// the stages take such operands.
+#if defined(__wasm__)
+  static constexpr bool kMayBeLong = false;
+#else
+  static constexpr bool kMayBeLong = true;
+#endif
+  /// Whether the integers have more than 125 bits.
+  [[nodiscard]] bool is_long() const { return kMayBeLong && is_long_; }
   /// Sets the first entries of all properties but the sources to multiples of those of another one,
   /// which may be the same.
   void set_multiples(const SmallOperand& from, std::size_t count, double factor) {
@@ -100,10 +116,17 @@ class SmallOperand {
   [[nodiscard]] double* operator[](Row row) { return rows_.data() + row * stride_; }
   [[nodiscard]] const double* operator[](Row row) const { return rows_.data() + row * stride_; }
 
-  /// Returns the vertices of a wide operand, in units of `steps`.
-  [[nodiscard]] std::vector<Vec<Int128>>& whole() { return whole_; }
-  [[nodiscard]] const std::vector<Vec<Int128>>& whole() const { return whole_; }
-  /// The same of any operand.
+  /// Returns the vertices of a wide operand, in units of `steps`: those of a long one are
+  /// WideNumber.
+  template <class Integer = Int128>
+  [[nodiscard]] auto& whole() {
+    return whole_of<Integer>(*this);
+  }
+  template <class Integer = Int128>
+  [[nodiscard]] const auto& whole() const {
+    return whole_of<Integer>(*this);
+  }
+  /// The same of any operand that is not long.
   [[nodiscard]] Vec<Int128> whole_at(std::size_t i) const {
     return is_wide() ? whole_[i] : whole_vector({(*this)[kX][i], (*this)[kY][i]});
   }
@@ -120,6 +143,21 @@ class SmallOperand {
   /// reflex vertex.
   template <class Integer>
   [[nodiscard]] Vec<Integer> exact(int row, std::size_t i) const;
+  /// Returns the extent and the offset on the operand's grid.
+  template <class Integer>
+  [[nodiscard]] Vec<Integer> exact_extent() const {
+    return multiple<Integer>(whole_extent, long_extent);
+  }
+  template <class Integer>
+  [[nodiscard]] Vec<Integer> exact_offset() const {
+    return multiple<Integer>(offset, long_offset);
+  }
+  // Parts of `refine` and `turn` for long operands.
+  void copy_long(const SmallOperand& from);
+  void turn_long();
+  /// Returns the largest coordinate of a long operand's box or its offset, rounded.
+  [[nodiscard]] double long_reach() const;
+
   [[nodiscard]] VecRow at() const { return row(kX); }
   [[nodiscard]] VecRow way() const { return row(kDx); }
   [[nodiscard]] VecRow in() const { return row(kInX); }
@@ -141,9 +179,38 @@ class SmallOperand {
   [[nodiscard]] VecRow row(Row x) const {
     return {(*this)[x], (*this)[static_cast<Row>(x + 1)], this, x};
   }
+  template <class Integer, class Self>
+  [[nodiscard]] static auto& whole_of(Self& self) {
+    if constexpr (std::is_same_v<Integer, Int128>) {
+      return self.whole_;
+    } else {
+      return self.long_;
+    }
+  }
+  /// Returns the product with `steps` of the one that is in use.
+  template <class Integer>
+  [[nodiscard]] Vec<Integer> multiple(const Vec<Int128>& v, const Vec<WideNumber>& if_long) const {
+    if (is_long()) return as<Integer>(long_multiple(if_long));
+    if (steps == 1) return {Integer(v.x), Integer(v.y)};
+    return {product<Integer>(v.x, steps), product<Integer>(v.y, steps)};
+  }
+  /// Returns a vector that is known to fit.
+  template <class Integer>
+  [[nodiscard]] static Vec<Integer> as(const Vec<WideNumber>& v) {
+    if constexpr (std::is_same_v<Integer, Int128>) {
+      return {v.x.to_int128(), v.y.to_int128()};
+    } else {
+      return v;
+    }
+  }
+  [[nodiscard]] Vec<WideNumber> long_multiple(const Vec<WideNumber>& v) const;
+  [[nodiscard]] Vec<WideNumber> long_exact(int row, std::size_t i) const;
+
   std::size_t stride_ = 0;
   std::vector<double> rows_;
   std::vector<Vec<Int128>> whole_;
+  bool is_long_ = false;
+  std::vector<Vec<WideNumber>> long_;
 };
 
 template <class Integer>
@@ -181,6 +248,9 @@ bool read_small(const Region& region, SmallOperand& small);
 /// It returns false if the region is not small, or if a ring cannot be valid.
 bool load_small(const Region& region, SmallOperand& small);
 [[nodiscard]] bool is_clearly_valid(const SmallOperand& small, SmallBlocks& memory);
+/// The same of a long operand.
+bool load_long(const Region& region, SmallOperand& small);
+[[nodiscard]] bool is_long_valid(const SmallOperand& small, SmallBlocks& memory);
 /// Tells in constant time whether `load_small` is worth while.
 [[nodiscard]] bool has_small_size(const Region& region);
 

@@ -46,14 +46,15 @@ void SmallPlacement::take(const SmallSegments& s, std::uint32_t segment, std::in
   using Scaled = typename Exact<Integer>::Scaled;
   exact.way = s.way().exact<Integer>(segment);
   const Vec<Integer> start = s.at().exact<Integer>(segment);
-  const auto set = [&](const Integer& at, const Integer& by, Int128 width, double& rounded) {
-    const Integer corner = at - product<Integer>(width, turned_.steps);
-    const Scaled place = scaled<Scaled>(corner) + product<Scaled>(by, steps);
+  const Vec<Integer> extent = turned_.exact_extent<Integer>();
+  const auto set = [&](const Integer& at, const Integer& by, const Integer& width,
+                       double& rounded) {
+    const Scaled place = scaled<Scaled>(Integer(at - width)) + product<Scaled>(by, steps);
     rounded = std::ldexp(to_double(place), -halvings_);
     return place;
   };
-  exact.place = {set(start.x, exact.way.x, turned_.whole_extent.x, at_.x),
-                 set(start.y, exact.way.y, turned_.whole_extent.y, at_.y)};
+  exact.place = {set(start.x, exact.way.x, extent.x, at_.x),
+                 set(start.y, exact.way.y, extent.y, at_.y)};
 }
 
 [[gnu::always_inline]] inline double SmallPlacement::side_of(const Vec<double>& edge,

@@ -80,7 +80,7 @@ class SmallWriter {
 
   [[nodiscard]] static Vec<Coordinate> offset_of(const SmallOperand& o) {
     if constexpr (kWide) {
-      return {product<WideNumber>(o.offset.x, o.steps), product<WideNumber>(o.offset.y, o.steps)};
+      return o.exact_offset<WideNumber>();
     } else {
       return {static_cast<std::int64_t>(o.offset.x), static_cast<std::int64_t>(o.offset.y)};
     }

@@ -11,6 +11,7 @@
 
 #include "minksum/transform.hpp"
 #include "minksum/validity.hpp"
+#include "region/rational_access.hpp"
 #include "support/polygon_kinds.hpp"
 #include "support/shapes.hpp"
 #include "unit/sum/small/square_with_holes.hpp"
@@ -177,7 +178,9 @@ TEST(SmallOperand, HasIntegers) {
     return transform(rectangle(0, 0, 1, 1), Affine{1, 0, 0, 0, Rational(std::ldexp(1, bits)), 0});
   };
   EXPECT_TRUE(is_wide(wide(124)));
-  EXPECT_FALSE(is_small(wide(126)));
+  EXPECT_EQ(is_small(wide(126)), SmallOperand::kMayBeLong);
+  EXPECT_EQ(is_small(wide(249)), SmallOperand::kMayBeLong);
+  EXPECT_FALSE(is_small(wide(251)));
   // A power of three takes more than 64 bits, whatever powers of two and ten are taken from it.
   const auto far_by_threes = [](int threes) {
     Rational by(1);
@@ -185,7 +188,8 @@ TEST(SmallOperand, HasIntegers) {
     return transform(rectangle(0, 0, 5, 1), Affine{1, 0, 0, 1, by, -by});
   };
   EXPECT_TRUE(is_wide(far_by_threes(50)));
-  EXPECT_FALSE(is_small(far_by_threes(90)));
+  EXPECT_EQ(is_small(far_by_threes(90)), SmallOperand::kMayBeLong);
+  EXPECT_FALSE(is_small(far_by_threes(160)));
 }
 
 /// Returns an outline of doubles that are rounded, so that its grid is fine.
@@ -243,6 +247,72 @@ TEST(SmallOperand, HasExactEdgesIfItIsWide) {
     EXPECT_TRUE(turned.whole_at(v).x == at.y);
     EXPECT_TRUE(turned.whole_at(v).y == small.whole_extent.x - at.x);
   }
+}
+
+/// Returns a region that is a little larger and moved, so that its coordinates have some 180 bits.
+Region with_long_coordinates(const Region& region) {
+  const Rational by(1'000'000'000'000'000'003, 1'000'000'000'000'000'000);
+  const Rational step(1, std::int64_t{1} << 60);
+  return transform(region, Affine{by * by, 0, 0, by * by, Rational(-7) + step, Rational(5) - step});
+}
+
+TEST(SmallOperand, HasExactEdgesIfItIsLong) {
+  if (!SmallOperand::kMayBeLong) GTEST_SKIP() << "this module takes no long operands";
+  const Region region = with_long_coordinates(
+      make_polygon({{0, 0}, {9, 2}, {9, 9}, {4, 5}, {0, 9}}, {{{2, 2}, {3, 4}, {4, 2}}}));
+  SmallOperand small;
+  ASSERT_TRUE(read_small(region, small));
+  ASSERT_TRUE(small.is_long());
+  // Expects that the operand's vertices are those of a region, and that edges follow from these.
+  const auto expect_region = [](const SmallOperand& operand, const Region& expected) {
+    const Vec<WideNumber> offset = operand.exact_offset<WideNumber>();
+    const auto place = [&](const WideNumber& at, const WideNumber& by) {
+      return RationalAccess::make(BigInteger(at + by), 1, operand.exp2, operand.exp10);
+    };
+    const auto expect_near = [](double near, const WideNumber& exact) {
+      EXPECT_LE(std::abs(near - to_double(exact)), 0x1p-50 * std::abs(near));
+    };
+    std::uint32_t checked = 0;
+    for (std::uint32_t v = 0; v < operand.entries; ++v) {
+      const auto [from, to] = operand.ends_of(false, v);
+      if (from == to) continue;  // between rings
+      const Vec<WideNumber> at = operand.at().exact<WideNumber>(v);
+      const auto source = static_cast<std::size_t>(operand[SmallOperand::kVertexSource][v]);
+      EXPECT_EQ(place(at.x, offset.x), expected.point(source).x);
+      EXPECT_EQ(place(at.y, offset.y), expected.point(source).y);
+      const Vec<WideNumber> way = minus(operand.at().exact<WideNumber>(to), at);
+      EXPECT_TRUE(operand.way().exact<WideNumber>(v) == way);
+      expect_near(operand.at()[v].x, at.x);
+      expect_near(operand.at()[v].y, at.y);
+      expect_near(operand.way()[v].x, way.x);
+      expect_near(operand.way()[v].y, way.y);
+      ++checked;
+    }
+    EXPECT_EQ(checked, expected.vertex_count());
+  };
+  expect_region(small, region);
+  SmallOperand fine;
+  refine(small.exp2 - 30, small.exp10 - 4, small.entries, small, fine);
+  ASSERT_NE(static_cast<std::int64_t>(fine.steps), 1);
+  for (int quarters = 0; quarters < 4; ++quarters) {
+    SmallOperand turned;
+    turn(fine, quarters, turned);
+    expect_region(turned, transform(region, Affine::quarter_turns(quarters)));
+  }
+}
+
+TEST(SmallOperand, HasFaultsIfItIsLong) {
+  const auto is_valid = [](const Region& region) {
+    return is_small(with_long_coordinates(region));
+  };
+  const test::Outline outline{{0, 0}, {9, 2}, {9, 9}, {4, 5}, {0, 9}};
+  EXPECT_EQ(is_valid(make_polygon(outline)), SmallOperand::kMayBeLong);
+  EXPECT_FALSE(is_valid(make_polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}})));          // crosses
+  EXPECT_FALSE(is_valid(make_polygon({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})));  // touches
+  EXPECT_FALSE(is_valid(make_polygon({{0, 10}, {-6, -8}, {9, 3}, {-9, 3}, {6, -8}})));
+  EXPECT_FALSE(is_valid(make_polygon({{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 4}})));  // spike
+  EXPECT_FALSE(is_valid(make_polygon(outline, {{{1, 1}, {9, 4}, {8, 3}}})));       // touches
+  EXPECT_FALSE(is_valid(make_polygon(outline, {{{3, 8}, {5, 8}, {4, 6}}})));       // outside
 }
 
 TEST(SmallOperand, HasExactEdgesOnAFineGrid) {

@@ -343,6 +343,33 @@ TEST(SmallSum, ListsEqualSegmentsOfTwoEqualOperandsOnce) {
   }
 }
 
+TEST(SmallSum, TakesOperandsWhoseOwnNumbersAreLong) {
+  const Rational by(1'000'000'000'000'000'003, 1'000'000'000'000'000'000);
+  const Rational step(1, std::int64_t{1} << 60);
+  const auto made_long = [&](const Region& region) {
+    return transform(region, Affine{by * by, 0, 0, by * by, Rational(-7) + step, step});
+  };
+  const Region rough = with_holes({{{1, 2}, {2, 6}, {4, 4}}, {{5, 5}, {8, 6}, {6, 8}}});
+  const Region triangle = make_polygon({{0, 0}, {2, 1}, {1, 3}});
+  const Region little = transform(triangle, Affine::scaling(by * Rational(7, 10'000)));
+  const Region moved = transform(triangle, Affine::translation(by, step));
+  SumSettings by_stages;
+  by_stages.small = false;
+  const auto expect_equal = [&](const Region& p, const Region& q, bool small) {
+    const DetailedSum detailed = detailed_sum(p, q);
+    EXPECT_EQ(detailed.statistics.small, small && SmallOperand::kMayBeLong);
+    EXPECT_EQ(detailed.sum.region, minkowski_sum(p, q, by_stages));
+    const PreparedRegion prepared(p);
+    EXPECT_EQ(minkowski_sum(prepared, q), detailed.sum.region);
+  };
+  expect_equal(made_long(rough), moved, true);
+  expect_equal(little, made_long(rough), true);
+  expect_equal(made_long(rough), made_long(triangle), true);
+  expect_equal(made_long(triangle), little, true);  // both are convex
+  expect_equal(made_long(waves(31, 1e5)), made_long(waves(31, 1e5)), true);
+  expect_equal(made_long(rough), triangle, false);  // whose step is over 2^125 times as long
+}
+
 TEST(SmallSum, IsLeftToTheStagesWhereMuchLiesOnFewLines) {
   const Region comb = test::comb(12, 1, 15);
   Region result;
