@@ -74,7 +74,7 @@ Region random_outline(Random& random, int vertices) {
     const double radius =
         1e6 * (1 + depth / 100.0 * std::sin(waves * angle)) + random.between(-notches, notches);
     outline.push_back(
-        {std::lround(radius * std::cos(angle)), std::lround(radius * std::sin(angle))});
+        {std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))});
   }
   return make_polygon(outline);
 }

@@ -58,7 +58,7 @@ TEST(SmallOperand, LeavesLongSpikyRingsToASweep) {
       const double radius = k % 2 == 0 ? 1e9 : 1e7;
       const double angle = 2 * std::numbers::pi * k / count;
       outline.push_back(
-          {std::lround(radius * std::cos(angle)), std::lround(radius * std::sin(angle))});
+          {std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))});
     }
     return make_polygon(outline);
   };

@@ -219,7 +219,8 @@ TEST(SmallSum, IsMadeOfManySegments) {
   for (int k = 0; k < 60; ++k) {
     const double radius = k % 2 == 0 ? 5000 : 4950 - 3 * k;
     const double angle = k * std::numbers::pi / 30;
-    waves.push_back({std::lround(radius * std::cos(angle)), std::lround(radius * std::sin(angle))});
+    waves.push_back(
+        {std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))});
   }
   const Region p = make_polygon(waves);
   const Region q = transform(p, Affine::quarter_turns(1));
@@ -241,7 +242,7 @@ Region waves(int vertices, double radius) {
   for (int k = 0; k < vertices; ++k) {
     const double angle = 2 * std::numbers::pi * k / vertices;
     const double r = radius * (1 + 0.2 * std::sin(7 * angle) + 0.01 * (k % 3));
-    outline.push_back({std::lround(r * std::cos(angle)), std::lround(r * std::sin(angle))});
+    outline.push_back({std::llround(r * std::cos(angle)), std::llround(r * std::sin(angle))});
   }
   return make_polygon(outline);
 }
@@ -293,7 +294,7 @@ TEST(SmallSum, LooksAtPartsWhereWholeSegmentsMeetTooOften) {
       const double radius = width * (k % 2 == 0 ? 1 : 0.6 + 0.01 * (k % 7));
       const double angle = 2 * std::numbers::pi * k / count;
       outline.push_back(
-          {std::lround(radius * std::cos(angle)), std::lround(radius * std::sin(angle))});
+          {std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))});
     }
     return make_polygon(outline);
   };
