@@ -26,11 +26,6 @@ inline int bit_width(Int128 value) {
                    : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(magnitude)));
 }
 
-/// Returns value · 2^64 + limb.
-constexpr Int128 with_limb_below(Int128 value, std::uint64_t limb) {
-  return static_cast<Int128>(static_cast<Uint128>(value) << 64U | limb);
-}
-
 /// Returns a bound on the bits of 10^exponent.
 constexpr int bits_of_ten_to(int exponent) { return (exponent * 10 + 2) / 3; }
 
@@ -57,6 +52,13 @@ class WideInt {
   requires(M < N) constexpr explicit WideInt(const WideInt<M>& value) {
     limbs_.fill(value.negative() ? ~std::uint64_t{0} : 0);
     for (std::size_t i = 0; i < M; ++i) limbs_[i] = value.limb(i);
+  }
+
+  /// Returns the number that has these limbs, of which there are at most N.
+  static constexpr WideInt of_limbs(std::span<const std::uint64_t> limbs) {
+    WideInt value;
+    std::copy(limbs.begin(), limbs.end(), value.limbs_.begin());
+    return value;
   }
 
   [[nodiscard]] constexpr std::uint64_t limb(std::size_t i) const { return limbs_[i]; }
@@ -136,13 +138,6 @@ class WideInt {
     }
     return std::strong_ordering::equal;
   }
-  /// Returns value · 2^64 + limb.
-  [[nodiscard]] constexpr WideInt moved_up(std::uint64_t limb) const {
-    WideInt result;
-    for (std::size_t i = N - 1; i > 0; --i) result.limbs_[i] = limbs_[i - 1];
-    result.limbs_[0] = limb;
-    return result;
-  }
   [[nodiscard]] constexpr WideInt magnitude() const { return negative() ? -*this : *this; }
   /// Returns the value modulo 2^128.
   [[nodiscard]] constexpr Int128 to_int128() const {
@@ -166,10 +161,6 @@ class WideInt {
   std::array<std::uint64_t, N> limbs_;
 };
 
-template <std::size_t N>
-constexpr WideInt<N> with_limb_below(const WideInt<N>& value, std::uint64_t limb) {
-  return value.moved_up(limb);
-}
 /// Returns the count of bits of the magnitude.
 template <std::size_t N>
 int bit_width(const WideInt<N>& value) {

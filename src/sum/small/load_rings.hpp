@@ -18,8 +18,12 @@ bool take_limbs(const Region& region, const StoredCoordinate& c, Integer& value)
   constexpr std::size_t kLimbs = sizeof(Integer) / sizeof(std::uint64_t);
   if (count > kLimbs || c.denominator_limbs != 1 || limbs[count] != 1) return false;
   if (count == kLimbs && limbs[count - 1] >> 62U != 0) return false;
-  value = Integer(0);
-  for (std::size_t i = count; i-- > 0;) value = with_limb_below(value, limbs[i]);
+  const auto magnitude = WideInt<kLimbs>::of_limbs(limbs.first(count));
+  if constexpr (std::is_same_v<Integer, Int128>) {
+    value = magnitude.to_int128();
+  } else {
+    value = magnitude;
+  }
   if ((c.numerator_limbs & kNegativeLimbs) != 0) value = -value;
   return true;
 }

@@ -1,4 +1,5 @@
-// Loads operands whose integers have more than 125 bits, and tells whether they are clearly valid.
+// What operands need whose integers have more than 125 bits: loading, validation, exact vectors,
+// copies and turns.
 #include <algorithm>
 #include <cmath>
 #include <utility>

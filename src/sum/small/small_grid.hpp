@@ -1,6 +1,7 @@
 // Brings coordinates of small operands to the grid of a smaller step.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -48,8 +49,14 @@ inline bool scale(int tens, int twos, Int128& value) {
 inline bool scale(int tens, int twos, WideNumber& value) {
   if (value == WideNumber(0)) return true;
   if (bit_width(value) + bits_of_ten_to(tens) + twos > kFarthestLongBits) return false;
-  for (; tens > 0; --tens) value = product<WideNumber>(value, std::int64_t{10});
-  for (; twos > 0; --twos) value = value + value;
+  constexpr int kFewTens = 18;
+  for (; tens > 0; tens -= kFewTens) {
+    value = product<WideNumber>(value,
+                                kPowersOfTen[static_cast<std::size_t>(std::min(tens, kFewTens))]);
+  }
+  for (; twos > 0; twos -= kMostTwos) {
+    value = product<WideNumber>(value, std::int64_t{1} << std::min(twos, kMostTwos));
+  }
   return true;
 }
 

@@ -261,8 +261,7 @@ TEST(SmallOperand, HasExactEdgesIfItIsLong) {
   const Region region = with_long_coordinates(
       make_polygon({{0, 0}, {9, 2}, {9, 9}, {4, 5}, {0, 9}}, {{{2, 2}, {3, 4}, {4, 2}}}));
   SmallOperand small;
-  ASSERT_TRUE(read_small(region, small));
-  ASSERT_TRUE(small.is_long());
+  ASSERT_TRUE(read_small(region, small) && small.is_long());
   // Expects that the operand's vertices are those of a region, and that edges follow from these.
   const auto expect_region = [](const SmallOperand& operand, const Region& expected) {
     const Vec<WideNumber> offset = operand.exact_offset<WideNumber>();
@@ -277,9 +276,9 @@ TEST(SmallOperand, HasExactEdgesIfItIsLong) {
       const auto [from, to] = operand.ends_of(false, v);
       if (from == to) continue;  // between rings
       const Vec<WideNumber> at = operand.at().exact<WideNumber>(v);
-      const auto source = static_cast<std::size_t>(operand[SmallOperand::kVertexSource][v]);
-      EXPECT_EQ(place(at.x, offset.x), expected.point(source).x);
-      EXPECT_EQ(place(at.y, offset.y), expected.point(source).y);
+      const double source = operand[SmallOperand::kVertexSource][v];
+      const Point p = expected.point(static_cast<std::size_t>(source));
+      EXPECT_TRUE(place(at.x, offset.x) == p.x && place(at.y, offset.y) == p.y) << v;
       const Vec<WideNumber> way = minus(operand.at().exact<WideNumber>(to), at);
       EXPECT_TRUE(operand.way().exact<WideNumber>(v) == way);
       expect_near(operand.at()[v].x, at.x);
@@ -302,9 +301,7 @@ TEST(SmallOperand, HasExactEdgesIfItIsLong) {
 }
 
 TEST(SmallOperand, HasFaultsIfItIsLong) {
-  const auto is_valid = [](const Region& region) {
-    return is_small(with_long_coordinates(region));
-  };
+  const auto is_valid = [](const Region& r) { return is_small(with_long_coordinates(r)); };
   const test::Outline outline{{0, 0}, {9, 2}, {9, 9}, {4, 5}, {0, 9}};
   EXPECT_EQ(is_valid(make_polygon(outline)), SmallOperand::kMayBeLong);
   EXPECT_FALSE(is_valid(make_polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}})));          // crosses

@@ -360,8 +360,7 @@ TEST(SmallSum, TakesOperandsWhoseOwnNumbersAreLong) {
     const DetailedSum detailed = detailed_sum(p, q);
     EXPECT_EQ(detailed.statistics.small, small && SmallOperand::kMayBeLong);
     EXPECT_EQ(detailed.sum.region, minkowski_sum(p, q, by_stages));
-    const PreparedRegion prepared(p);
-    EXPECT_EQ(minkowski_sum(prepared, q), detailed.sum.region);
+    EXPECT_EQ(minkowski_sum(PreparedRegion(p), q), detailed.sum.region);
   };
   expect_equal(made_long(rough), moved, true);
   expect_equal(little, made_long(rough), true);
