@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "minksum/boolean.hpp"
+#include "minksum/measure.hpp"
 #include "minksum/prepared_region.hpp"
 #include "minksum/transform.hpp"
 #include "minksum/validity.hpp"
@@ -61,6 +63,34 @@ Region random_shape(Random& random) {
     default:
       return random_polygon(random);
   }
+}
+
+/// Returns some polygons side by side, which may touch, and perhaps another one around them. Or
+/// returns a box without them.
+Region random_polygons(Random& random) {
+  Region all;
+  Rational left = 0;
+  for (int k = random.between(2, 4); k > 0; --k) {
+    const Region shape = random_shape(random);
+    const Box box = *bounding_box(shape);
+    const Rational gap = random.between(0, 8);
+    const Affine map = Affine::translation(left + gap - box.min.x, random.between(-9, 9));
+    const Region more = all.empty() ? transform(shape, map) : together(all, transform(shape, map));
+    if (!validate(more).empty()) continue;  // edges overlap
+    all = more;
+    left = bounding_box(all)->max.x;
+  }
+  if (random.one_in(2)) return all;
+  const auto ring_around = [box = *bounding_box(all)](const Rational& by) {
+    const auto& [low, high] = box;
+    return Ring{{low.x - by, low.y - by},
+                {high.x + by, low.y - by},
+                {high.x + by, high.y + by},
+                {low.x - by, high.y + by}};
+  };
+  const Rational gap = random.between(1, 20);
+  if (random.one_in(2)) return subtract(Region(Polygon{ring_around(gap), {}}), all);
+  return together(all, Region(Polygon{ring_around(gap + 2), {ring_around(gap)}}));
 }
 
 /// Returns a ring with waves and notches. A cover hides much of the sum of two of these.
@@ -159,6 +189,7 @@ void compare(std::uint64_t seed) {
     q = transform(random_outline(random, random.between(200, 900)),
                   random_map(random).after(smaller));
   }
+  if (random.one_in(8)) (random.one_in(2) ? p : q) = random_polygons(random);
   if (random.one_in(3)) {
     const Affine shear = random_shear(random);
     p = transform(p, shear);

@@ -91,6 +91,8 @@ void validate_others(std::array<CallerOperand, 2>& given,
 bool run_small(std::array<CallerOperand, 2>& given, const SumRequest& options,
                Workspace::State& state, Region& result) {
   if (!may_be_small(options)) return false;
+  const auto has_several = [](const CallerOperand& o) { return o.region.polygon_count() > 1; };
+  if (std::ranges::all_of(given, has_several)) return false;
   // A prepared operand that is not small has been looked at before.
   const auto fits = [](const CallerOperand& o) {
     return o.small != nullptr || (o.operand == nullptr && has_small_size(o.region));

@@ -78,14 +78,15 @@ class AddedRing {
     set_edge_sources();
     fill_up();
     s_.entries = begin_ + size_;
+    s_.ends.push_back(s_.entries);
     s_.longest = std::max(s_.longest, bends.longest);
     if (is_outer) {
-      s_.size = size_;
-      s_.smallest = smallest_;
-      s_.convex = bends.convex;
-      s_.turning = bends.turning;
+      s_.size = s_.entries;
+      s_.smallest = begin_ + smallest_;
+      s_.convex = bends.convex && s_.outer_rings == 0;
+      s_.turning += bends.turning;
+      ++s_.outer_rings;
     } else {
-      s_.ends.push_back(s_.entries);
       s_.turning_of_holes += bends.turning;
     }
     return true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include "region/region_access.hpp"
@@ -39,19 +40,43 @@ class RingLoader {
   RingLoader(const Region& region, SmallOperand& s) : region_(region), s_(s) {
     s.make_rows(region.vertex_count() + (kLanes - 1) * region.ring_count(), kWide, kLong);
     s.entries = 0;
+    s.outer_rings = 0;
     s.longest = 0;
+    s.turning = 0;
     s.turning_of_holes = 0;
     s.holes.clear();
     s.ends.clear();
   }
 
-  /// Adds a ring, the outer one first, without repeated vertices. Returns false if coordinates are
-  /// too long integers on the grid, if the box of a hole is not inside that of the outer ring, or
+  /// Adds a ring, all outer ones first, without repeated vertices. Returns false if coordinates are
+  /// too long integers on the grid, if the box of a hole is not inside that of the outer rings, or
   /// if the ring has a spike or less than three vertices.
-  bool add(std::size_t ring) {
+  bool add(std::size_t ring, bool is_outer) {
     AddedRing<Coordinate> added(s_);
     const IndexRange vertices = region_.vertices_of(ring);
-    return vertices.size() >= 3 && load(vertices, ring == 0, added);
+    return vertices.size() >= 3 && load(vertices, is_outer, added);
+  }
+  /// Must be called first if there are several outer rings. Takes the box of all. Returns false if
+  /// coordinates are too long integers on the grid.
+  [[gnu::noinline]] bool take_common_box() {
+    Vec<Integer> low{};
+    Vec<Integer> high{};
+    bool is_first = true;
+    for (const std::size_t polygon : region_.polygons()) {
+      const IndexRange rings = region_.rings_of(polygon);
+      if (rings.empty()) return false;
+      for (const std::size_t v : region_.vertices_of(rings.front())) {
+        Vec<Integer> at;
+        if (!take(v, at)) return false;
+        if (std::exchange(is_first, false)) low = high = at;
+        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+      }
+    }
+    const Vec<Integer> extent = minus(high, low);
+    box_is_known_ = true;
+    s_.least_extent = {HUGE_VAL, HUGE_VAL};
+    return set_box(low, {static_cast<Coordinate>(extent.x), static_cast<Coordinate>(extent.y)});
   }
 
  private:
@@ -66,6 +91,11 @@ class RingLoader {
     }
     // The exponents of zero are of no matter.
     return value == Integer(0) || scale(c.exp10 - exp10, c.exp2 - exp2, value);
+  }
+
+  [[nodiscard]] bool take(std::size_t vertex, Vec<Integer>& at) const {
+    return take(RegionAccess::x(region_, vertex), s_.exp2, s_.exp10, at.x) &&
+           take(RegionAccess::y(region_, vertex), s_.exp2, s_.exp10, at.y);
   }
 
   [[nodiscard]] bool load(const IndexRange& vertices, bool is_outer, AddedRing<Coordinate>& ring) {
@@ -108,7 +138,7 @@ class RingLoader {
     const Vec<Integer> corner = plus(first, as_integer(low));
     if (!take_box(corner, minus(high, low), is_outer)) return false;
     if constexpr (!kLong) {
-      if (is_outer) set(s_.first, first);
+      if (is_outer && s_.outer_rings == 0) set(s_.first, first);
     }
     const auto is_first_again = [&](std::uint32_t i) {
       if constexpr (kWide) return at_whole[i] == at_whole[0];
@@ -128,25 +158,34 @@ class RingLoader {
     }
     return ring.finish(is_outer, size, to_near_double(Integer(corner.x - corner_.x)));
   }
-  /// Takes the box of a ring, by its lower left corner. Returns false if it is too wide, or if it
-  /// is a hole's and not inside that of the outer ring.
+  /// Takes the box of all outer rings, by its lower left corner. Returns false if it is too wide.
+  [[nodiscard]] bool set_box(const Vec<Integer>& corner, const Vec<Coordinate>& extent) {
+    corner_ = corner;
+    outer_extent_ = extent;
+    s_.extent = {to_double(extent.x), to_double(extent.y)};
+    if constexpr (kLong) {
+      s_.long_offset = corner;
+      s_.long_extent = extent;
+    } else {
+      set(s_.offset, corner);
+      set(s_.whole_extent, as_integer(extent));
+    }
+    return std::max(s_.extent.x, s_.extent.y) <= (kLong   ? SmallOperand::kWidestFine
+                                                  : kWide ? SmallOperand::kWidestWide
+                                                          : SmallOperand::kWidest);
+  }
+  /// Takes the box of a ring. Returns false if that of an outer one is too wide, or if that of a
+  /// hole is not inside the box of the outer rings.
   [[nodiscard]] bool take_box(const Vec<Integer>& corner, const Vec<Coordinate>& extent,
                               bool is_outer) {
     const Vec<double> near{to_double(extent.x), to_double(extent.y)};
     if (is_outer) {
-      corner_ = corner;
-      outer_extent_ = extent;
-      s_.extent = near;
-      if constexpr (kLong) {
-        s_.long_offset = corner;
-        s_.long_extent = extent;
-      } else {
-        set(s_.offset, corner);
-        set(s_.whole_extent, as_integer(extent));
+      if (!box_is_known_) {
+        s_.least_extent = near;
+        return set_box(corner, extent);
       }
-      return std::max(near.x, near.y) <= (kLong   ? SmallOperand::kWidestFine
-                                          : kWide ? SmallOperand::kWidestWide
-                                                  : SmallOperand::kWidest);
+      s_.least_extent = {std::min(s_.least_extent.x, near.x), std::min(s_.least_extent.y, near.y)};
+      return true;
     }
     s_.holes.push_back(near);
     const auto is_inside = [](Integer from, Coordinate size_of_hole, Coordinate size_of_outer) {
@@ -166,16 +205,37 @@ class RingLoader {
 
   const Region& region_;
   SmallOperand& s_;
-  Vec<Integer> corner_{};           ///< the lower left corner of the outer ring's box
+  Vec<Integer> corner_{};           ///< the lower left corner of the outer rings' box
   Vec<Coordinate> outer_extent_{};  ///< of that box
+  bool box_is_known_ = false;
 };
+
+/// Loads the rings of several polygons.
+template <class Integer>
+[[gnu::noinline]] bool load_polygons(const Region& region, RingLoader<Integer>& loader) {
+  if (!loader.take_common_box()) return false;
+  for (const bool outer : {true, false}) {
+    for (const std::size_t polygon : region.polygons()) {
+      const IndexRange rings = region.rings_of(polygon);
+      for (const std::size_t ring : rings) {
+        if ((ring == rings.front()) == outer && !loader.add(ring, outer)) return false;
+      }
+    }
+  }
+  return true;
+}
 
 /// Loads all rings of a region. The operand's grid must be set. See RingLoader.
 template <class Integer>
 bool load_rings(const Region& region, SmallOperand& s) {
   RingLoader<Integer> loader(region, s);
+  if (SmallOperand::kMayHaveSeveral && region.polygon_count() > 1) {
+    if (!load_polygons(region, loader)) return false;
+    find_smallest(s);
+    return true;
+  }
   for (std::size_t ring = 0; ring < region.ring_count(); ++ring) {
-    if (!loader.add(ring)) return false;
+    if (!loader.add(ring, ring == 0)) return false;
   }
   return true;
 }

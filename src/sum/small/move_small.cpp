@@ -42,6 +42,7 @@ void turn(const SmallOperand& from, int quarters, SmallOperand& to) {
       }
     }
     std::swap(to.extent.x, to.extent.y);
+    std::swap(to.least_extent.x, to.least_extent.y);
     std::swap(to.whole_extent.x, to.whole_extent.y);
     for (Vec<double>& hole : to.holes) std::swap(hole.x, hole.y);
     to.offset = {-(to.offset.y + to.whole_extent.x), to.offset.x};
@@ -77,6 +78,7 @@ void refine(int exp2, int exp10, std::uint32_t entries, const SmallOperand& from
   const std::size_t room = filled_up(entries);
   if (&to != &from) {
     to.size = from.size;
+    to.outer_rings = from.outer_rings;
     to.smallest = from.smallest;
     to.convex = from.convex;
     to.turning = from.turning;
@@ -95,6 +97,7 @@ void refine(int exp2, int exp10, std::uint32_t entries, const SmallOperand& from
   for (Vec<double>& hole : to.holes) hole = {hole.x * by.steps, hole.y * by.steps};
   to.longest = from.longest * by.steps;
   to.extent = {from.extent.x * by.steps, from.extent.y * by.steps};
+  to.least_extent = {from.least_extent.x * by.steps, from.least_extent.y * by.steps};
   const Int128 of_unit = by.rounded ? 1 : factor;
   to.whole_extent = {from.whole_extent.x * of_unit, from.whole_extent.y * of_unit};
   to.offset = {from.offset.x * of_unit, from.offset.y * of_unit};

@@ -22,7 +22,10 @@ struct SmallCorner {
 
 struct SmallBoundary {
   static constexpr std::size_t kMax = 2 * SmallSegments::kMax;
-  std::vector<std::uint32_t> end_of;  ///< the ends of the corners of the outer ring and of holes
+  /// The ends of the rings' corners: of an outer ring, of other outer ones, and of holes.
+  std::vector<std::uint32_t> end_of;
+  /// Places at which a ring may go from one part of the sum to another one that only touches it.
+  std::vector<SmallCorner> touching;
   std::uint32_t size;
   std::uint32_t between;  ///< number of corners that are not the start of a segment
   std::array<SmallCorner, kMax> corners;
@@ -38,11 +41,14 @@ struct WalkMarks {
   /// By segment: where a walk left it at its end. How a walk goes on from there depends on the
   /// segment alone.
   std::array<Mark, SmallSegments::kMax> left_end_of;
+  // Of an operand of several polygons:
+  std::vector<std::uint32_t> ring_of;   ///< by entry
+  std::vector<std::uint32_t> smallest;  ///< vertex by outer ring
 };
 
-/// Walks along the boundary of the unbounded face, with the sum on the left, and along those of
-/// holes. May be used once.
-template <class Number>
+/// Walks along the boundary of the unbounded face, with the sum on the left, and along all other
+/// rings of the boundary. With `kSeveral`, one operand has several polygons. May be used once.
+template <class Number, bool kSeveral>
 class OuterWalk {
  public:
   OuterWalk(const SmallNumbers<Number>& numbers, const SmallSegments& segments,
@@ -58,7 +64,12 @@ class OuterWalk {
     std::memset(marks_.left_end_of.data(), 0, s_.size * sizeof(WalkMarks::Mark));
     boundary_.size = 0;
     boundary_.end_of.clear();
+    boundary_.touching.clear();
     boundary_.between = 0;
+    if constexpr (kSeveral) {
+      several_ = s_.operands[0]->has_several() ? 0 : 1;
+      find_rings(*s_.operands[several_], marks_.ring_of, marks_.smallest);
+    }
   }
 
   /// Walks from the smallest point, the sum of two vertices. Returns false if the walk does not
@@ -80,6 +91,7 @@ class OuterWalk {
         next = next_after(place);
         if (next.place.segment == kNone) return false;
         if (next.turn >= 0) marks_.left_end_of[place.segment] = {1, 0};
+        note_touch(place, next);
         place = next.place;
       } while (next.turn == 0);
       if (next.turn < 0) {
@@ -89,6 +101,9 @@ class OuterWalk {
       if (boundary_.size == SmallBoundary::kMax) return false;
     } while (!place.passed.is_start() || !starts_there(place.segment));
     end_ring();
+    if constexpr (kSeveral) {
+      if (!find_outer_rings(taken)) return false;
+    }
     return taken + 3 > m_.right_count || find_holes(taken);
   }
 
@@ -181,64 +196,119 @@ class OuterWalk {
   /// its left, too, and turns right at three corners. None of these is a corner of the outer
   /// boundary. If a walk from a right turn ends, that turn is no hole's corner.
   [[nodiscard]] bool find_holes(std::uint32_t taken) {
-    std::uint32_t walk = 1;
     bool sure = true;
     for (std::uint32_t from = 0; from < s_.size && sure && taken + 3 <= m_.right_count; ++from) {
       m_.for_each_right(from, [&](std::uint32_t to, std::size_t meeting) {
         if (marks_.turn_at[meeting].walk != 0) return;
-        sure = sure && look(from, to, meeting, ++walk, taken);
+        sure = sure && look(from, to, meeting, taken);
       });
     }
     return sure;
   }
-  /// Walks from this corner. No hole is there if the walk ends, goes on as an earlier one, or goes
-  /// round with too few right turns. Returns false if that is not known. All walks together take
-  /// O(turns + ends) steps.
-  bool look(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint32_t walk,
-            std::uint32_t& taken) {
-    std::uint32_t count = 0;
-    marks_.turn_at[meeting] = {walk, count++};
+  /// Walks from this corner. Returns false if it is not known whether a hole is there.
+  bool look(std::uint32_t from, std::uint32_t to, std::size_t meeting, std::uint32_t& taken) {
+    marks_.turn_at[meeting] = {++walk_, 0};
     ++taken;
-    WalkLocation place = leave(from, to);
+    return follow(leave(from, to), 1, 3, taken);
+  }
+  /// Walks from a place, as `walk_`, and keeps the ring that it comes to. There is none if the walk
+  /// ends, goes on as an earlier one, or goes round with less than `least` right turns. Returns
+  /// false if that is not known. All walks together take O(turns + ends) steps.
+  [[gnu::always_inline]] bool follow(WalkLocation place, std::uint32_t count, std::uint32_t least,
+                                     std::uint32_t& taken) {
     for (;;) {
       const Next next = next_after(place);
       if (next.place.segment == kNone) return true;
       if (next.turn < 0) {
         WalkMarks::Mark& turn = marks_.turn_at[next.meeting];
         if (turn.walk != 0) {
-          return turn.walk != walk || count - turn.turns < 3 ||
-                 add_if_hole(next.meeting, next.place);
+          return turn.walk != walk_ || count - turn.turns < least ||
+                 add_if_boundary(next.place, [&](std::uint32_t, const Next& last) {
+                   return last.turn < 0 && last.meeting == next.meeting;
+                 });
         }
-        turn = {walk, count++};
+        turn = {walk_, count++};
         ++taken;
       } else {
         WalkMarks::Mark& end = marks_.left_end_of[place.segment];
         if (end.walk == 0) {
-          end = {walk, count};
-        } else if (end.walk != walk || end.turns == count) {
+          end = {walk_, count};
+        } else if (end.walk != walk_ || (least > 0 && end.turns == count)) {
           return true;  // as an earlier walk, or round without turns to the right
+        } else if (kSeveral && end.turns == count && next.turn > 0) {
+          return add_if_boundary(next.place, [&](std::uint32_t from, const Next& last) {
+            return last.turn > 0 && from == place.segment;
+          });
         }
       }
       place = next.place;
     }
   }
 
-  /// Walks around from a corner, to which the walk comes back, and keeps the ring if it is a
-  /// hole's: if a point just on its right is outside the sum. Returns false if that is not known.
-  [[nodiscard, gnu::noinline]] bool add_if_hole(std::size_t meeting, WalkLocation place) {
+  /// Finds the other outer rings. Returns false if these may not be all. The smallest point of an
+  /// outer ring is the sum of the smallest ones of two polygons.
+  [[nodiscard, gnu::noinline]] bool find_outer_rings(std::uint32_t& taken) {
+    const std::uint32_t of_other = s_.operands[1 - several_]->smallest;
+    for (std::uint32_t t = 0; t < s_.size; ++t) {
+      const SegmentOrigin& o = s_.origin[t];
+      if ((o.of_first == several_ ? o.vertex : o.edge) != of_other) continue;
+      const std::uint32_t vertex = entry_of_several(t);
+      const std::uint32_t ring = marks_.ring_of[vertex];
+      if (ring >= marks_.smallest.size() || marks_.smallest[ring] != vertex) continue;
+      ++walk_;
+      if (!follow({t, {}}, 0, 0, taken)) return false;
+    }
+    return true;
+  }
+
+  /// Returns the edge or the vertex that a segment has of the operand of several polygons.
+  [[nodiscard]] std::uint32_t entry_of_several(std::uint32_t segment) const {
+    const SegmentOrigin& o = s_.origin[segment];
+    return o.of_first == several_ ? o.edge : o.vertex;
+  }
+  /// Whether the walk goes from one polygon's part of the sum to that of another one, which may
+  /// only touch it there. To the walk, the rings of parts that touch are one.
+  [[nodiscard, gnu::always_inline]] bool may_touch(const WalkLocation& place,
+                                                   const Next& next) const {
+    if (!kSeveral) return false;
+    const std::uint32_t ring = marks_.ring_of[entry_of_several(place.segment)];
+    return ring != marks_.ring_of[entry_of_several(next.place.segment)] &&
+           !overlap(place.segment, next);
+  }
+  [[gnu::always_inline]] void note_touch(const WalkLocation& place, const Next& next) {
+    if (!may_touch(place, next)) return;
+    boundary_.touching.push_back({next.place.segment, next.place.passed.by});
+  }
+  /// Whether both parts overlap there: segments cross, or the next one goes on along the same line.
+  [[nodiscard, gnu::noinline]] bool overlap(std::uint32_t from, const Next& next) const {
+    if (next.turn > 0 || next.place.passed.is_start()) return false;
+    if (next.turn == 0) return true;
+    const std::uint32_t to = next.place.segment;
+    return ways_.end_of(from, to, ways_.start_of(from, to), ways_.turn(to, from)) != 0;
+  }
+
+  /// Walks around from a place, to which the walk comes back after a step that is the last, and
+  /// keeps the ring if it is one of the boundary: if a point just on its right is outside the sum.
+  /// Returns false if that is not known.
+  template <class IsLast>
+  [[nodiscard, gnu::noinline]] bool add_if_boundary(WalkLocation place, IsLast is_last) {
     const std::uint32_t between_before = boundary_.between;
+    const std::size_t touching_before = boundary_.touching.size();
     Piece longest;
     Next next;
+    bool done = false;
     do {
       if (boundary_.size == SmallBoundary::kMax) return false;
       corner(place);
       do {
         next = next_of_ring(place);
+        note_touch(place, next);
         const Piece piece = piece_between(place, next);
         if (piece.to - piece.from > longest.to - longest.from) longest = piece;
+        done = is_last(place.segment, next);
         place = next.place;
       } while (next.turn == 0);
-    } while (next.turn > 0 || next.meeting != meeting);
+    } while (!done);
     using Result = SmallPlacement::Result;
     const Result result = placement_.test(s_, longest.segment, longest.from, longest.to);
     if (result == Result::kOutside) {
@@ -246,6 +316,7 @@ class OuterWalk {
     } else {
       boundary_.size = boundary_.end_of.back();
       boundary_.between = between_before;
+      boundary_.touching.resize(touching_before);
     }
     return result != Result::kUnknown;
   }
@@ -261,8 +332,9 @@ class OuterWalk {
   };
   [[nodiscard]] Piece piece_between(const WalkLocation& place, const Next& next) const {
     const std::uint32_t at = place.segment;
-    const double from = place.passed.is_start() ? 0 : ways_.rounded(at, place.passed.by);
-    return {at, from, next.turn >= 0 ? 1 : ways_.rounded(at, next.place.segment)};
+    const double to =
+        next.turn >= 0 ? 1 : ways_.rounded(at, ways_.crossing(at, next.place.segment));
+    return {at, ways_.rounded(at, place.passed), to};
   }
 
   const SmallSegments& s_;
@@ -271,6 +343,8 @@ class OuterWalk {
   SmallPlacement& placement_;
   WalkMarks& marks_;
   SmallBoundary& boundary_;
+  std::size_t several_ = 0;  ///< the operand that has several polygons, by `of_first`
+  std::uint32_t walk_ = 1;   ///< the number of the last walk
 };
 
 }  // namespace minksum

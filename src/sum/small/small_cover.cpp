@@ -97,8 +97,8 @@ void link_rings(const SmallOperand& o, bool with_holes, SmallLinks& links) {
       links.previous.push_back((v == begin ? end : v) - 1);
     }
   };
-  add_ring(o.size);
-  if (with_holes) std::for_each(o.ends.begin(), o.ends.end(), add_ring);
+  const auto rings = static_cast<std::ptrdiff_t>(with_holes ? o.ends.size() : o.outer_rings);
+  std::for_each(o.ends.begin(), o.ends.begin() + rings, add_ring);
 }
 
 SmallClipper::SmallClipper(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,

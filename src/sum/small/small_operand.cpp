@@ -54,19 +54,17 @@ template Vec<Int128> SmallOperand::exact(int, std::size_t) const;
 template Vec<WideNumber> SmallOperand::exact(int, std::size_t) const;
 
 SmallOperand::Ends SmallOperand::ends_of(bool before, std::uint32_t i) const {
-  std::uint32_t begin = 0;
-  std::uint32_t end = size;
-  for (auto ring = ends.begin(); i >= end && ring != ends.end(); ++ring) {
-    begin = static_cast<std::uint32_t>(filled_up(end));
-    end = *ring;
-  }
-  if (i < begin || i >= end) return {i, i};
+  const std::size_t ring = ring_of(i);
+  if (ring == ends.size()) return {i, i};
+  const std::uint32_t begin = begin_of(ring);
+  const std::uint32_t end = ends[ring];
+  if (i < begin) return {i, i};
   if (before) return {(i == begin ? end : i) - 1, i};
   return {i, i + 1 == end ? begin : i + 1};
 }
 
 bool SmallOperand::has_ring_of(const SmallOperand& other) const {
-  if (size != other.size) return false;
+  if (size != other.size || outer_rings != 1 || other.outer_rings != 1) return false;
   for (std::size_t i = 0; i < size; ++i) {
     if (exact<WideNumber>(kX, i) != other.exact<WideNumber>(kX, i)) return false;
   }
@@ -75,8 +73,26 @@ bool SmallOperand::has_ring_of(const SmallOperand& other) const {
 
 void find_smallest(SmallOperand& s) { s.smallest = smallest_of(s, 0, s.size, 0); }
 
+void find_rings(const SmallOperand& s, std::vector<std::uint32_t>& ring_of,
+                std::vector<std::uint32_t>& smallest) {
+  ring_of.clear();
+  smallest.clear();
+  const double* const x = s[SmallOperand::kX];
+  for (std::uint32_t ring = 0; ring < s.ends.size(); ++ring) {
+    const std::uint32_t begin = s.begin_of(ring);
+    const std::uint32_t end = s.ends[ring];
+    ring_of.resize(filled_up(end), ring);
+    if (ring >= s.outer_rings) continue;
+    const double left = *std::min_element(x + begin, x + end);
+    smallest.push_back(smallest_of(s, begin, end, left));
+  }
+}
+
 bool has_small_size(const Region& region) {
-  return region.polygon_count() == 1 && region.ring_count() <= 1 + SmallOperand::kMaxHoles &&
+  const bool has_several = region.polygon_count() > 1;
+  const std::size_t most_rings =
+      has_several ? SmallOperand::kMaxRings : 1 + SmallOperand::kMaxHoles;
+  return (!has_several || SmallOperand::kMayHaveSeveral) && region.ring_count() <= most_rings &&
          region.vertex_count() <= SmallOperand::kMaxVertices;
 }
 

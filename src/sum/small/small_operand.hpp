@@ -1,4 +1,4 @@
-// Operands of one polygon with not too long coordinates and not too many vertices.
+// Operands of few polygons with not too long coordinates and not too many vertices.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 
 namespace minksum {
 
-/// An operand of one polygon whose coordinates are integers. Arrays hold its outer ring,
+/// An operand whose coordinates are integers. Arrays hold the outer rings of its polygons,
 /// counter-clockwise, so that vectors can be loaded from them. The rings of holes follow,
-/// clockwise, each from a multiple of eight on. Edge i starts at vertex i. Entries between rings
-/// are edges of length zero. If doubles do not hold the coordinates, the operand is wide: the
+/// clockwise. Each ring starts at a multiple of eight. Edge i starts at vertex i. Entries between
+/// rings are edges of length zero. If doubles do not hold the coordinates, the operand is wide: the
 /// doubles are rounded, and another array holds the integers. If these have more than 125 bits, the
 /// wide operand is long.
 ///
@@ -27,10 +27,11 @@ namespace minksum {
 class SmallOperand {
  public:
   static constexpr std::size_t kMaxVertices = std::size_t{1} << 16;
-  static constexpr std::size_t kMaxHoles = 63;  ///< so that a word has a bit for each ring
-  /// Up to seven entries lie between two rings.
-  static constexpr std::size_t kMaxEntries = kMaxVertices + 512;
-  static_assert(kMaxVertices + 7 * (kMaxHoles + 1) <= kMaxEntries);
+  /// The most holes of a single polygon, so that a word has a bit for each ring.
+  static constexpr std::size_t kMaxHoles = 63;
+  /// The most rings of several polygons. Up to seven entries lie between two rings.
+  static constexpr std::size_t kMaxRings = 4096;
+  static constexpr std::size_t kMaxEntries = kMaxVertices + 7 * kMaxRings;
   /// The largest extent of a box, unless the operand is wide. Doubles hold twice the sum of two
   /// points of it.
   static constexpr double kWidest = 0x1p49;
@@ -57,19 +58,21 @@ class SmallOperand {
     kRows
   };
 
-  std::uint32_t size = 0;      ///< of the outer ring
-  std::uint32_t smallest = 0;  ///< the lexicographically smallest vertex
-  bool convex = false;
-  /// How many convex vertices are compatible with an edge, on average over eight directions. If all
-  /// vertices are convex, this is how often the ring goes round.
+  std::uint32_t size = 0;         ///< of the outer rings: where the last one of them ends
+  std::uint32_t outer_rings = 0;  ///< as many as there are polygons
+  std::uint32_t smallest = 0;     ///< the lexicographically smallest vertex
+  bool convex = false;            ///< whether it is one polygon, and its outer ring is convex
+  /// How many convex vertices of outer rings are compatible with an edge, on average over eight
+  /// directions. If all vertices are convex, this is how often the rings go round.
   double turning = 1;
   double turning_of_holes = 0;
-  /// The number of entries that all rings take; `size` where the holes are left out.
+  /// The number of entries that all rings take; `size` where holes are left out.
   std::uint32_t entries = 0;
   Vec<double> extent{};             ///< extent of the box, whose lower left corner is (0, 0)
+  Vec<double> least_extent{};       ///< the least width and height of its polygons' boxes
   Vec<Int128> whole_extent{};       ///< the same in units of `steps`, not rounded
   std::vector<Vec<double>> holes;   ///< extents of the holes' boxes
-  std::vector<std::uint32_t> ends;  ///< of the holes' rings
+  std::vector<std::uint32_t> ends;  ///< of the rings: of all outer ones, and of the holes
   double longest = 0;               ///< longest extent of an edge along an axis
   Vec<Int128> offset{};             ///< place of the box in the region, in units of `steps`
   Vec<Int128> first{};              ///< the first vertex of the region that it was read from
@@ -98,6 +101,9 @@ class SmallOperand {
 #else
   static constexpr bool kMayBeLong = true;
 #endif
+  /// Whether they may have several polygons. The same holds for these.
+  static constexpr bool kMayHaveSeveral = kMayBeLong;
+  [[nodiscard]] bool has_several() const { return kMayHaveSeveral && outer_rings > 1; }
   /// Whether the integers have more than 125 bits.
   [[nodiscard]] bool is_long() const { return kMayBeLong && is_long_; }
   /// Sets the first entries of all properties but the sources to multiples of those of another one,
@@ -163,7 +169,7 @@ class SmallOperand {
   [[nodiscard]] VecRow in() const { return row(kInX); }
   [[nodiscard]] VecRow out() const { return row(kOutX); }
 
-  /// Whether the outer rings of both are the same, vertex by vertex.
+  /// Whether both have one outer ring, the same vertex by vertex.
   [[nodiscard]] bool has_ring_of(const SmallOperand& other) const;
 
   /// The vertices at which an edge starts and ends.
@@ -172,8 +178,17 @@ class SmallOperand {
     std::uint32_t to;
   };
   /// Returns the ends of the edge before or after a vertex. For an entry between rings, both are
-  /// the same. O(holes).
+  /// the same. O(log rings).
   [[nodiscard]] Ends ends_of(bool before, std::uint32_t i) const;
+  /// Returns the first vertex of a ring.
+  [[nodiscard]] std::uint32_t begin_of(std::size_t ring) const {
+    return ring == 0 ? 0 : static_cast<std::uint32_t>(filled_up(ends[ring - 1]));
+  }
+  /// Returns the ring that an edge belongs to, or before which an entry lies.
+  [[nodiscard]] std::size_t ring_of(std::uint32_t edge) const {
+    return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), edge) -
+                                    ends.begin());
+  }
 
  private:
   [[nodiscard]] VecRow row(Row x) const {
@@ -254,8 +269,11 @@ bool load_long(const Region& region, SmallOperand& small);
 /// Tells in constant time whether `load_small` is worth while.
 [[nodiscard]] bool has_small_size(const Region& region);
 
-/// Sets the smallest vertex of the outer ring.
+/// Sets the smallest vertex of all outer rings.
 void find_smallest(SmallOperand& operand);
+/// Sets the ring of each entry, and the smallest vertex of each outer ring.
+void find_rings(const SmallOperand& operand, std::vector<std::uint32_t>& ring_of,
+                std::vector<std::uint32_t>& smallest);
 
 /// Turns an operand counter-clockwise by `quarters` times 90 degrees about the origin.
 void turn(const SmallOperand& from, int quarters, SmallOperand& to);

@@ -15,11 +15,16 @@ template <class Vector, class IsLeft>
   return is_left(a, to) != is_left(a, plus(to, b)) && is_left(b, to) != is_left(b, minus(to, a));
 }
 
+/// Whether a box is inside another one.
+bool holds(const BoxOf<double>& box, const BoxOf<double>& other) {
+  return box.x0 <= other.x0 && other.x1 <= box.x1 && box.y0 <= other.y0 && other.y1 <= box.y1;
+}
+
 }  // namespace
 
 SmallPlacement::Result SmallPlacement::test(const SmallSegments& s, std::uint32_t segment,
                                             double from, double to) {
-  constexpr int kMostHalvings = 40;  // the places are rounded by 2^-50 or so
+  constexpr int kMostHalvings = 40;  // the places are off by less than 2^-46
   if (!(from < to)) return Result::kUnknown;
   // Of the multiples of 2^-halvings, the one nearest to the middle is clearly between them.
   halvings_ = 1 - std::ilogb(to - from);
@@ -27,7 +32,9 @@ SmallPlacement::Result SmallPlacement::test(const SmallSegments& s, std::uint32_
   if (!edges_of_p_) turn_q();
   const auto steps = static_cast<std::int64_t>(std::ldexp((from + to) / 2, halvings_) + 0.5);
   numbers_.fit_int128() ? take(s, segment, steps, short_) : take(s, segment, steps, long_);
-  return test_boundaries();
+  const Result result = test_boundaries();
+  const bool may_hold = p_.has_several() || q_.has_several();
+  return result == Result::kOutside && may_hold ? test_others() : result;
 }
 
 void SmallPlacement::turn_q() {
@@ -38,6 +45,18 @@ void SmallPlacement::turn_q() {
   edges_of_p_.emplace(p_, entries(0, p_), numbers_.reach, blocks_[0]);
   edges_of_q_.emplace(turned_, entries(1, turned_), numbers_.reach, blocks_[1]);
   pairs_left_ = 4 * most_pairs(std::size_t{p_.entries} + q_.entries);
+  boxes_.clear();
+  const SmallOperand& several = p_.has_several() ? p_ : turned_;
+  if (!several.has_several()) return;
+  const SmallEdges& edges = p_.has_several() ? *edges_of_p_ : *edges_of_q_;
+  for (std::size_t ring = 0; several.begin_of(ring) < edges.size; ++ring) {
+    const Vec<double> first = several.at()[several.begin_of(ring)];
+    BoxOf<double>& box = boxes_.emplace_back(BoxOf<double>{first.x, first.y, first.x, first.y});
+    for (std::uint32_t v = several.begin_of(ring); v < several.ends[ring]; ++v) {
+      const Vec<double> at = several.at()[v];
+      box.add({at.x, at.y, at.x, at.y});
+    }
+  }
 }
 
 template <class Integer>
@@ -134,6 +153,80 @@ SmallPlacement::Result SmallPlacement::test_boundaries() {
         if (crossed) return Result::kInside;
         return done ? Result::kOutside : Result::kUnknown;
       });
+}
+
+SmallPlacement::Result SmallPlacement::test_others() {
+  const bool is_p = p_.has_several();
+  const SmallOperand& several = is_p ? p_ : turned_;
+  const SmallOperand& other = is_p ? turned_ : p_;
+  const SmallEdges& edges = is_p ? *edges_of_p_ : *edges_of_q_;
+  const SmallEdges& edges_of_other = is_p ? *edges_of_q_ : *edges_of_p_;
+  // How the other operand is moved, seen from the corner of the first one's box, and the reverse.
+  const Vec<double> by = is_p ? at_ : Vec<double>{-at_.x, -at_.y};
+  const Vec<double> back{-by.x, -by.y};
+  const double reach = 2 * numbers_.reach;
+  const BoxOf<double> other_box = moved({0, 0, other.extent.x, other.extent.y}, by, 0);
+  bool may_hold = false;
+  for (std::size_t ring = 0; ring < several.outer_rings; ++ring) {
+    const BoxOf<double>& box = boxes_[ring];
+    may_hold |= holds(moved(box, {}, reach), other_box);
+    if (!holds(moved(other_box, {}, reach), box)) continue;
+    const auto add_all = [&](const Vec<double>& point, int& winding) {
+      return add_winding(edges_of_other, 0, edges_of_other.size, point, winding);
+    };
+    const Result held = place_ring(several, ring, back, add_all);
+    if (held != Result::kOutside) return held;
+  }
+  if (!may_hold) return Result::kOutside;
+  const auto add_near = [&](const Vec<double>& point, int& winding) {
+    const BoxOf<double> near{point.x - reach, point.y - reach, point.x + reach, point.y + reach};
+    for (std::size_t ring = 0; ring < boxes_.size(); ++ring) {
+      if (boxes_[ring].meets(near) &&
+          !add_winding(edges, several.begin_of(ring), several.ends[ring], point, winding)) {
+        return false;
+      }
+    }
+    return true;
+  };
+  return place_ring(other, 0, by, add_near);
+}
+
+template <class AddWinding>
+SmallPlacement::Result SmallPlacement::place_ring(const SmallOperand& operand, std::size_t ring,
+                                                  const Vec<double>& by,
+                                                  const AddWinding& add_winding) {
+  for (std::uint32_t v = operand.begin_of(ring); v < operand.ends[ring] && pairs_left_ > 0; ++v) {
+    int winding = 0;
+    if (!add_winding(plus(operand.at()[v], by), winding)) continue;
+    return winding != 0 ? Result::kInside : Result::kOutside;
+  }
+  return Result::kUnknown;
+}
+
+bool SmallPlacement::add_winding(const SmallEdges& edges, std::uint32_t begin, std::uint32_t end,
+                                 const Vec<double>& point, int& winding) {
+  const double reach = 2 * numbers_.reach;
+  const BoxOf<double> ray{point.x - reach, point.y - reach, HUGE_VAL, point.y + reach};
+  for (std::size_t block = begin / kLanes; block * kLanes < end; ++block) {
+    if (!edges.blocks.box_of(block).meets(ray)) continue;
+    if (pairs_left_ == 0) return false;
+    --pairs_left_;
+    bool is_sure = true;
+    for_each_bit(edges.near(block, ray), [&](std::uint32_t lane) {
+      const std::size_t e = block * kLanes + lane;
+      if (e >= end) return;
+      const Vec<double> way = edges.way[e];
+      const Vec<double> from = minus(point, edges.at[e]);
+      // The cross product is off by up to 36v, as in `side_of`.
+      const double side = cross(way, from);
+      is_sure = is_sure && std::abs(from.y) > reach && std::abs(from.y - way.y) > reach &&
+                std::abs(side) > reach * (std::abs(way.x) + std::abs(way.y));
+      if (way.y > 0 && side > 0) ++winding;
+      if (way.y < 0 && side < 0) --winding;
+    });
+    if (!is_sure) return false;
+  }
+  return true;
 }
 
 }  // namespace minksum

@@ -18,6 +18,7 @@ class SmallPlacement {
   struct Memory {
     SmallOperand turned;  ///< Q turned by half a circle
     std::array<SmallBlocks, 2> blocks;
+    std::vector<BoxOf<double>> boxes;  ///< of the rings, if an operand has several polygons
   };
   /// Without `with_holes`, an operand's holes are filled.
   SmallPlacement(double width, const SmallOperand& p, const SmallOperand& q,
@@ -27,7 +28,8 @@ class SmallPlacement {
         q_(q),
         with_holes_(with_holes),
         turned_(memory.turned),
-        blocks_(memory.blocks) {}
+        blocks_(memory.blocks),
+        boxes_(memory.boxes) {}
   SmallPlacement(const SmallPlacement&) = delete;
   SmallPlacement& operator=(const SmallPlacement&) = delete;
 
@@ -50,9 +52,21 @@ class SmallPlacement {
   template <class Integer>
   void take(const SmallSegments& s, std::uint32_t segment, std::int64_t steps,
             Exact<Integer>& exact);
-  /// Tells whether the boundaries of P and x − Q cross. Where they do not, neither holds the other:
-  /// without the step to the right they touch, from different sides.
+  /// Tells whether the boundaries of P and x − Q cross. Where they do not, neither of two polygons
+  /// holds the other: without the step to the right they touch, from different sides.
   [[nodiscard]] Result test_boundaries();
+  /// Tells whether the only polygon of one operand holds one of the other's, or lies inside of one.
+  /// Boundaries do not cross.
+  [[nodiscard]] Result test_others();
+  /// Tells whether an operand's ring, moved by a vector, lies inside of others by the winding
+  /// number of a vertex. add_winding(point, winding) computes that, or returns false if it is not
+  /// sure.
+  template <class AddWinding>
+  [[nodiscard]] Result place_ring(const SmallOperand& operand, std::size_t ring,
+                                  const Vec<double>& by, const AddWinding& add_winding);
+  /// Adds how often rings, a range of edges, go round a point. Returns false if that is not sure.
+  [[nodiscard]] bool add_winding(const SmallEdges& edges, std::uint32_t begin, std::uint32_t end,
+                                 const Vec<double>& point, int& winding);
   /// Whether two edges cross if that of x − Q makes an infinitely small step to the right of the
   /// way, and a smaller one along it. Then no end is on the other's line.
   [[nodiscard]] bool do_cross(std::uint32_t of_p, std::uint32_t of_q) const;
@@ -78,6 +92,7 @@ class SmallPlacement {
   std::array<bool, 2> with_holes_;
   SmallOperand& turned_;
   std::array<SmallBlocks, 2>& blocks_;
+  std::vector<BoxOf<double>>& boxes_;
   std::optional<SmallEdges> edges_of_p_;
   std::optional<SmallEdges> edges_of_q_;
   std::size_t pairs_left_ = 0;  ///< of blocks, for all tests

@@ -72,41 +72,17 @@ template <class Number>
   return test_lanes(numbers, kLanes, wanted, meets) & wanted;
 }
 
-/// The rings of an operand, each a range of its edges.
-class SmallRings {
- public:
-  explicit SmallRings(const SmallOperand& s) : ends_(s.ends), first_end_(s.size) {}
-  [[nodiscard]] std::size_t size() const { return 1 + ends_.size(); }
-  [[nodiscard]] std::uint32_t end(std::size_t ring) const {
-    return ring == 0 ? first_end_ : ends_[ring - 1];
-  }
-  [[nodiscard]] std::uint32_t begin(std::size_t ring) const {
-    return ring == 0 ? 0 : static_cast<std::uint32_t>(filled_up(end(ring - 1)));
-  }
-  /// Returns the ring that an edge belongs to.
-  [[nodiscard]] std::size_t ring_of(std::uint32_t edge) const {
-    if (edge < first_end_) return 0;
-    return static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), edge) -
-                                    ends_.begin()) +
-           1;
-  }
-
- private:
-  const std::vector<std::uint32_t>& ends_;
-  std::uint32_t first_end_;
-};
-
 /// Returns how many pairs of blocks are compared at most where rings have so many edges. More take
 /// longer than a sweep, which takes some 200 ns for an edge of a long spiky ring; a pair takes 150.
 /// Rings of up to 512 edges have few enough.
 [[nodiscard]] constexpr std::size_t most_pairs(std::size_t edges) { return edges + 1600; }
 
-/// Whether no edge of some rings has a point in common with another one, but for the vertex between
+/// Whether no edge of an operand has a point in common with another one, but for the vertex between
 /// neighbours. Returns false as well if telling takes longer than a sweep: if too many blocks of
 /// edges are near one another.
 template <class Number>
 [[gnu::always_inline]] inline bool are_apart(const SmallNumbers<Number>& numbers,
-                                             const SmallEdges& edges, const SmallRings& rings) {
+                                             const SmallEdges& edges, const SmallOperand& s) {
   std::size_t pairs_left = most_pairs(edges.size);
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
@@ -148,9 +124,9 @@ template <class Number>
     };
     return edges.blocks.for_each_near(edges.blocks.box_of(block), block + 1, visit);
   };
-  for (std::size_t ring = 0; ring < rings.size(); ++ring) {
-    begin = rings.begin(ring);
-    end = rings.end(ring);
+  for (std::size_t ring = 0; ring < s.ends.size(); ++ring) {
+    begin = s.begin_of(ring);
+    end = s.ends[ring];
     for (std::size_t block = begin / kLanes; block * kLanes < end; ++block) {
       if (!meets_none(block)) return false;
     }
@@ -158,13 +134,13 @@ template <class Number>
   return true;
 }
 
-/// Whether the outer ring holds each hole, and no hole holds another one. No rings may meet.
+/// Whether the only outer ring holds each hole, and no hole holds another one. No rings may meet.
 template <class Number>
 [[gnu::always_inline]] inline bool are_holes_inside(const SmallNumbers<Number>& numbers,
                                                     const SmallEdges& edges,
-                                                    const SmallRings& rings) {
-  for (std::size_t hole = 1; hole < rings.size(); ++hole) {
-    const std::uint32_t vertex = rings.begin(hole);
+                                                    const SmallOperand& s) {
+  for (std::size_t hole = 1; hole < s.ends.size(); ++hole) {
+    const std::uint32_t vertex = s.begin_of(hole);
     // A ray to the right crosses a ring that holds the vertex an odd number of times.
     const auto crosses = [&](std::size_t i) {
       return compute_surely(numbers, [&](const auto& lanes) {
@@ -192,7 +168,7 @@ template <class Number>
         for (LaneBits bits = edges.near(block, ray); bits != 0; bits &= bits - 1) {
           odd = odd != crosses(begin + static_cast<std::size_t>(std::countr_zero(bits)));
         }
-        if (odd) holding ^= LaneBits{1} << rings.ring_of(static_cast<std::uint32_t>(begin));
+        if (odd) holding ^= LaneBits{1} << s.ring_of(static_cast<std::uint32_t>(begin));
       }
       return true;
     };

@@ -7,7 +7,7 @@
 
 #include "machine/vectors.hpp"
 #include "sum/small/small_cover.hpp"
-#include "sum/small/small_writer.hpp"
+#include "sum/small/small_polygons.hpp"
 
 namespace minksum {
 
@@ -20,19 +20,18 @@ struct SmallScratch::State {
   WalkMarks marks;
   SmallBoundary boundary;
   SmallPlacement::Memory placement;
-  std::vector<std::vector<SmallVertex>> holes;
-  std::vector<std::uint32_t> order_of_holes;
+  SmallRingsMemory rings;
 };
 
 namespace {
 
-/// Whether the other operand may fit into a hole, because its box does. A hole is open, so a box of
-/// equal width is too wide, unless widths are rounded.
+/// Whether a polygon of the other operand may fit into a hole, because its box does. A hole is
+/// open, so a box of equal width is too wide, unless widths are rounded.
 bool may_fit(const SmallOperand& operand, const Refinement& by, const SmallOperand& other,
              const Refinement& other_by) {
   // Then the box counts as a little smaller. That keeps holes which could be filled, at worst.
   const double steps = other_by.steps * (by.rounded || other_by.rounded ? 1 - 0x1p-48 : 1);
-  const Vec<double> box{other.extent.x * steps, other.extent.y * steps};
+  const Vec<double> box{other.least_extent.x * steps, other.least_extent.y * steps};
   return std::ranges::any_of(operand.holes, [&](const Vec<double>& hole) {
     return box.x < hole.x * by.steps && box.y < hole.y * by.steps;
   });
@@ -76,53 +75,6 @@ template <class Number>
     if (turn <= 0) b.go_on();
   }
   writer.finish();
-}
-
-/// Appends the holes in canonical order. Each ring starts at its smallest vertex.
-template <class Number>
-void add_holes(const WayFractions<Number>& ways, const SmallSegments& segments, double width,
-               SmallWriter<Number>& writer, SmallScratch::State& scratch, Region& region) {
-  const SmallBoundary& boundary = scratch.boundary;
-  std::vector<std::vector<SmallVertex>>& holes = scratch.holes;
-  const auto compare = [&](double a, double b, const StoredCoordinate& x,
-                           const StoredCoordinate& y) {
-    // Rounded places are off by less than 2^-48 of the sum's width.
-    if (std::abs(a - b) > 0x1p-46 * width) return a < b ? -1 : 1;
-    const auto order = RegionAccess::compare(region, x, y);
-    return order < 0 ? -1 : order > 0 ? 1 : 0;
-  };
-  const auto less = [&](const SmallVertex& a, const SmallVertex& b) {
-    const int by_x = compare(a.rounded.x, b.rounded.x, a.x, b.x);
-    return by_x != 0 ? by_x < 0 : compare(a.rounded.y, b.rounded.y, a.y, b.y) < 0;
-  };
-  const std::size_t count = boundary.end_of.size() - 1;
-  if (holes.size() < count) holes.resize(count);
-  for (std::uint32_t ring = 1; ring <= count; ++ring) {
-    std::vector<SmallVertex>& hole = holes[ring - 1];
-    hole.clear();
-    for (std::uint32_t k = boundary.end_of[ring - 1]; k < boundary.end_of[ring]; ++k) {
-      hole.push_back(writer.vertex(ways, segments, boundary.corners[k]));
-    }
-    std::rotate(hole.begin(), std::min_element(hole.begin(), hole.end(), less), hole.end());
-  }
-  // Holes that start at the same vertex differ in the second one. Mostly they are few, so each is
-  // put among those before it.
-  const auto is_before = [&](std::uint32_t i, std::uint32_t j) {
-    const std::vector<SmallVertex>& a = holes[i];
-    const std::vector<SmallVertex>& b = holes[j];
-    return less(a[0], b[0]) || (!less(b[0], a[0]) && less(a[1], b[1]));
-  };
-  std::vector<std::uint32_t>& order = scratch.order_of_holes;
-  order.resize(count);
-  for (std::uint32_t hole = 0; hole < count; ++hole) {
-    const auto end = order.begin() + hole;
-    *end = hole;
-    std::rotate(std::upper_bound(order.begin(), end, hole, is_before), end, end + 1);
-  }
-  for (const std::uint32_t hole : order) {
-    region.begin_ring();
-    for (const SmallVertex& v : holes[hole]) RegionAccess::add_vertex(region, v.x, v.y, v.origin);
-  }
 }
 
 /// Puts the segments in order, and finds their meetings. Returns null if these are too many, or
@@ -202,23 +154,26 @@ const SmallSegments* meet_or_give_up(const SmallNumbers<Number>& numbers, const 
   return meet(numbers, width, scratch, most_of_all);
 }
 
-template <class Number>
+template <bool kSeveral, class Number>
 bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const SmallOperand& q,
           const SmallPlan& plan, const SmallSegments& segments, SmallScratch::State& scratch,
           Region& result) {
   SmallBoundary& boundary = scratch.boundary;
   SmallPlacement placement(width_of(p, q), p, q, plan.with_holes, scratch.placement);
-  OuterWalk<Number> walk(numbers, segments, scratch.meetings, placement, scratch.marks, boundary);
+  OuterWalk<Number, kSeveral> walk(numbers, segments, scratch.meetings, placement, scratch.marks,
+                                   boundary);
   // The sum of the smallest points of both operands is the sum's smallest point.
   if (!walk.run(p.at(), p.smallest, q.at(), q.smallest)) return false;
   const WayFractions<Number> ways(numbers, segments);
-  const std::uint32_t outer = boundary.end_of[0];
+  const std::uint32_t outer = kSeveral ? boundary.size : boundary.end_of[0];
   SmallWriter<Number> writer(numbers, p, q, outer, boundary.between, result);
-  for (std::uint32_t k = 0; k < outer; ++k) {
-    writer.add(ways, segments, boundary.corners[k]);
+  RingWriter<Number> rings(ways, segments, boundary, width_of(p, q), writer, scratch.rings, result);
+  if constexpr (kSeveral) {
+    writer.finish();  // no vertices yet
+    return rings.add_polygons();
   }
-  if (boundary.end_of.size() == 1) return true;
-  add_holes(ways, segments, width_of(p, q), writer, scratch, result);
+  for (std::uint32_t k = 0; k < outer; ++k) writer.add(ways, segments, boundary.corners[k]);
+  if (boundary.end_of.size() > 1) rings.add_holes();
   return true;
 }
 
@@ -233,7 +188,13 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
   if (!with_vectors(widest_vectors(), list)) return false;
   if (p.has_ring_of(q)) drop_copies(p, width_of(p, q), segments);
   const SmallSegments* const met = meet_or_give_up(numbers, plan, p, q, scratch);
-  return met != nullptr && walk(numbers, p, q, plan, *met, scratch, result);
+  if (met == nullptr) return false;
+  if constexpr (SmallOperand::kMayHaveSeveral) {
+    if (p.has_several() || q.has_several()) {
+      return walk<true>(numbers, p, q, plan, *met, scratch, result);
+    }
+  }
+  return walk<false>(numbers, p, q, plan, *met, scratch, result);
 }
 
 }  // namespace
@@ -264,6 +225,7 @@ void bring_to_one_grid(const SmallPlan& plan, std::array<const SmallOperand*, 2>
 
 SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q) {
   SmallPlan plan;
+  if (p.has_several() && q.has_several()) return plan;
   plan.exp2 = std::min(p.exp2, q.exp2);
   plan.exp10 = std::min(p.exp10, q.exp10);
   const Refinement of_p = refinement(plan.exp2, plan.exp10, p);

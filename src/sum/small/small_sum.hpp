@@ -40,12 +40,13 @@ class SmallScratch {
 };
 
 /// Computes P ⊕ Q in canonical form, with origins: the same region as by the stages. Returns false
-/// if the stages are needed, and leaves `result` as it was. The stages are needed if there are more
-/// segments than pay, or if coordinates are too long.
+/// if the stages are needed; then `result` has no meaning. The stages are needed if there are more
+/// segments than pay, if coordinates are too long, or if both operands have several polygons.
 ///
 /// The reduced convolution is listed. The walk starts at the smallest point and turns into the
 /// first segment on its right, again and again. Some right turns are not taken. A hole has at least
-/// three of these, and a walk by the same rule goes round it. See docs/pipeline.md, "How is a small
+/// three of these, and a walk by the same rule goes round it. If an operand has several polygons,
+/// walks start at the smallest points of all their sums. See docs/pipeline.md, "How is a small
 /// sum computed?". Comparing each vertex with each edge and finding near blocks takes O(m·n + s²)
 /// for s segments, with small constants, as long as that takes less than the stages. The edges of
 /// two convex operands are merged in order of direction instead, in O(m + n).

@@ -11,9 +11,8 @@ template <class Number>
 bool are_rings_valid(const SmallNumbers<Number>& numbers, const SmallOperand& s,
                      SmallBlocks& memory) {
   const SmallEdges edges(s, s.entries, numbers.reach, memory);
-  const SmallRings rings(s);
   const auto are_valid = [&]() __attribute__((always_inline)) {
-    return are_apart(numbers, edges, rings) && are_holes_inside(numbers, edges, rings);
+    return are_apart(numbers, edges, s) && are_holes_inside(numbers, edges, s);
   };
   return with_vectors(widest_vectors(), are_valid);
 }

@@ -8,7 +8,8 @@ namespace minksum {
 bool is_clearly_valid(const SmallOperand& s, SmallBlocks& memory) {
   // A ring that turns left everywhere, and goes round once, is simple. Rounded edges may make it
   // seem to go round more often, but not less.
-  if (s.ends.empty() && s.convex && s.turning == 1) return true;
+  if (s.ends.size() == 1 && s.convex && s.turning == 1) return true;
+  if (s.has_several()) return false;
   if (s.is_long()) return is_long_valid(s, memory);
   const double width = std::max(s.extent.x, s.extent.y);
   return with_numbers<Int128>(

@@ -180,10 +180,15 @@ class WayFractions {
     if (below < Integer(0)) return Quotient<Integer>{-above, -below};
     return Quotient<Integer>{above, below};
   }
-  /// The same, rounded.
-  [[nodiscard, gnu::noinline]] double rounded(std::uint32_t segment, std::uint32_t by) const {
+  /// Returns a fraction, off by less than 2^-46.
+  [[nodiscard, gnu::noinline]] double rounded(std::uint32_t segment,
+                                              const WayFraction<Number>& at) const {
+    if (at.is_start()) return 0;
+    if constexpr (!kShort) {
+      if (at.error < 0x1p-46) return at.near;
+    }
     return compute_surely(numbers_, [&](const auto& lanes) {
-      const auto part = exact(lanes, segment, by);
+      const auto part = exact(lanes, segment, at.by);
       return to_double(part.numerator) / to_double(part.denominator);
     });
   }

@@ -143,9 +143,11 @@ void shear(SmallSegments& s, int bits, int twos, const SmallNumbers<Number>& num
   };
   SmallOperand& edges = operands.edges;
   edges.size = 2 * s.size;
+  edges.ends = {edges.size};
   edges.make_rows(edges.size, true, false);
   edges.steps = Int128{1} << twos;
   operands.vertex.size = 1;
+  operands.vertex.ends = {1};
   operands.vertex.make_rows(1, true, false);
   operands.vertex.whole()[0] = {};
   s.operands = {&operands.vertex, &edges};

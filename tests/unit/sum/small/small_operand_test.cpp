@@ -35,7 +35,6 @@ TEST(SmallOperand, IsOneSimplePolygon) {
   EXPECT_FALSE(is_small({}));
   EXPECT_FALSE(is_small(test::round_polygon((1 << 16) + 1, 100'000'000)));
   EXPECT_TRUE(is_small(make_polygon({{0, 0}, {9, 0}, {9, 9}}, {{{5, 1}, {6, 1}, {6, 2}}})));
-  EXPECT_FALSE(is_small(test::together(rectangle(0, 0, 1, 1), rectangle(2, 0, 3, 1))));
 }
 
 TEST(SmallOperand, LeavesFaultsToTheStages) {
