@@ -173,7 +173,10 @@ const hasPackage = await run(python, ["-c", "import minksum"]).then(
 test("the programs in Python give what the page shows, or can be read", async () => {
   for (const op of ["sum", "erode", "open", "close", "offset", "nofit", "depth", "robot", "path"]) {
     await choose(op === "path" ? "A sofa in a hall" : "Room and robot", op);
-    if (["robot", "path"].includes(op)) await page.check("[data-name=workspace]");
+    if (["robot", "path"].includes(op)) {
+      await page.check("[data-name=workspace]");
+      await settled(page);
+    }
     const file = join(folder, "snippet.py");
     await writeFile(file, await snippet("Python"));
     if (!hasPackage) {
