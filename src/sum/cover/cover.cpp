@@ -305,20 +305,21 @@ EdgesOfOperands edges_of(const Operands& o) {
   return {{{x, y, next, 0, o.split, o.extent[0]}, {x, y, next, o.split, o.size(), o.extent[1]}}};
 }
 
-void cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
-                   Cancellation& cancellation, CoverScratch& scratch, Cover& cover) {
+bool cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
+                   Cancellation& cancellation, CoverScratch& scratch, BoughtGrids& bought,
+                   Cover& cover) {
   // Nothing is known of what a grid will hide, so it must be far cheaper than what all segments
   // take. With 0.25 for the first share, or 0.15 for the second, 209 sums took as long.
   constexpr double kMostOfPrice = 0.15;
   constexpr double kMostForFiner = 0.1;
-  cover.active = false;
-  int side =
-      std::max(choose_side(static_cast<std::uint64_t>(segments)), coarsest_useful_side(edges));
-  if (side > kMaxSide) return;
+  int side = bought.side != 0 ? 2 * bought.side
+                              : std::max(choose_side(static_cast<std::uint64_t>(segments)),
+                                         coarsest_useful_side(edges));
+  if (side > kMaxSide) return false;
   const PriceOfRasters price_of_rasters(edges);
   UniformGrid grid = grid_of(edges, side);
-  double spent = price_of_rasters(grid);
-  if (spent > kMostOfPrice * price) return;
+  double spent = bought.spent + price_of_rasters(grid);
+  if (spent > kMostOfPrice * price) return false;
   auto words = static_cast<double>(rasterise(edges, grid, cancellation, scratch));
   while (2 * side <= kMaxSide) {
     const UniformGrid finer = grid_of(edges, 2 * side);
@@ -329,11 +330,14 @@ void cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
     spent += more;
     words = static_cast<double>(rasterise(edges, grid, cancellation, scratch));
   }
-  if (spent + words > 2 * kMostOfPrice * price) return;
+  bought = {side, spent};
+  if (spent + words > 2 * kMostOfPrice * price) return false;
+  bought.spent += words;
   cover.active = true;
   cover.grid = grid;
   cover.covered.reset(grid.columns, grid.rows, words_per_row(grid.columns));
   spread_rasters(cancellation, scratch, cover);
+  return true;
 }
 
 void cover_interior(const Operands& operands, const SumSettings& options,

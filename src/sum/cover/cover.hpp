@@ -141,11 +141,18 @@ void cover_interior(const Operands& operands, const SumSettings& options,
                     Cancellation& cancellation, CoverScratch& scratch, Convolution& convolution,
                     Cover& cover);
 
-/// Marks the cells that translates cover, before any segment is listed. There are about so many
-/// segments, and `price` is what all of them take without a cover, in words moved. The grid is as
-/// fine as it can be for small shares of that. If none is that cheap, the cover is not active.
-void cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
-                   Cancellation& cancellation, CoverScratch& scratch, Cover& cover);
+/// The grids that `cover_cheaply` has bought for a sum.
+struct BoughtGrids {
+  int side = 0;      ///< cells along the longer side of the finest one
+  double spent = 0;  ///< for all of them, in words moved
+};
+/// Marks the cells that translates cover, before or after segments are listed. There are about so
+/// many, and `price` is what they take with the cover as it is, in words moved. The grid is finer
+/// than those that were bought before, and as fine as it can be for small shares of that price.
+/// Returns false, and leaves the cover as it was, if no grid is that cheap.
+[[nodiscard]] bool cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
+                                 Cancellation& cancellation, CoverScratch& scratch,
+                                 BoughtGrids& bought, Cover& cover);
 
 /// Some of the convolution's segments. Each stands for `step` of them.
 struct Sample {

@@ -45,6 +45,7 @@ void see_part(const Cover& cover, const Line& line, BoxOf<double>& box) {
 void cover_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
                  SmallCover& cover) {
   cover.cover.active = false;
+  cover.bought = {};
   cover.crossings = 0;
   // With fewer segments, a cover took as long as it saved, or longer: of 500 sums of 250 to 700
   // segments, it made 1.0 to 1.2 of the time.
@@ -78,9 +79,15 @@ void cover_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperan
                                                                    : 930;
   link_rings(p, plan.with_holes[0], cover.links[0]);
   link_rings(q, plan.with_holes[1], cover.links[1]);
+  static_cast<void>(refine_cover(plan, p, q, price * plan.segments, cover));
+}
+
+bool refine_cover(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q, double price,
+                  SmallCover& cover) {
   const EdgesOfOperands edges{edges_of(p, cover.links[0]), edges_of(q, cover.links[1])};
   Cancellation never;
-  cover_cheaply(edges, plan.segments, price * plan.segments, never, cover.scratch, cover.cover);
+  return cover_cheaply(edges, plan.segments, price, never, cover.scratch, cover.bought,
+                       cover.cover);
 }
 
 void link_rings(const SmallOperand& o, bool with_holes, SmallLinks& links) {

@@ -25,13 +25,19 @@ struct SmallCover {
   CoverScratch scratch;
   std::array<SmallLinks, 2> links;       ///< of both operands
   std::vector<std::uint32_t> uncovered;  ///< memory for `UncoveredCounts`
-  double crossings;                      ///< about how many each segment has, or 0
+  BoughtGrids bought;
+  double crossings;  ///< about how many each segment has, or 0
 };
 
 /// Marks cells inside the sum if the segments have many crossings, and if that is cheap beside
 /// arranging them. Sums of few segments have no cover, and their crossings are not estimated.
 void cover_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
                  SmallCover& cover);
+
+/// Marks cells of a finer grid, or of a first one, if that is cheap beside a price: what the walk
+/// takes with the cover as it is, in words moved. Returns whether it did. The rings must be linked.
+[[nodiscard]] bool refine_cover(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
+                                double price, SmallCover& cover);
 
 /// Finds the parts of segments that may be boundary.
 class SmallClipper {
