@@ -146,8 +146,8 @@ struct BoughtGrids {
   int side = 0;      ///< cells along the longer side of the finest one
   double spent = 0;  ///< for all of them, in words moved
 };
-/// Marks the cells that translates cover, before or after segments are listed. There are about so
-/// many, and `price` is what they take with the cover as it is, in words moved. The grid is finer
+/// Marks the cells that translates cover. There are about `segments` segments, which need not be
+/// listed yet. `price` is what they take with the cover as it is, in words moved. The grid is finer
 /// than those that were bought before, and as fine as it can be for small shares of that price.
 /// Returns false, and leaves the cover as it was, if no grid is that cheap.
 [[nodiscard]] bool cover_cheaply(const EdgesOfOperands& edges, double segments, double price,

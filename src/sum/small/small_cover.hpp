@@ -34,8 +34,9 @@ struct SmallCover {
 void cover_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
                  SmallCover& cover);
 
-/// Marks cells of a finer grid, or of a first one, if that is cheap beside a price: what the walk
-/// takes with the cover as it is, in words moved. Returns whether it did. The rings must be linked.
+/// Marks cells of a finer grid, or of a first one, if that is cheap beside `price`: what the walk
+/// takes with the cover as it is, in words moved. Returns whether it did. The rings must be linked,
+/// as `SmallClipper` and `link_rings` do.
 [[nodiscard]] bool refine_cover(const SmallPlan& plan, const SmallOperand& p, const SmallOperand& q,
                                 double price, SmallCover& cover);
 
