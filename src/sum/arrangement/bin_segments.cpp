@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <span>
 
 #include "machine/team.hpp"
@@ -47,9 +46,6 @@ class Binner {
   }
 
  private:
-  /// How many rows of cells cost as much as counting one cell, with a margin: a row takes some 60
-  /// instructions, a cell 16.
-  static constexpr double kRowsPerCell = 0.5;
   static constexpr std::size_t kWorthOrdering = 4096;  ///< fewer are near enough in memory anyway
 
   /// Orders segments by the sites of the operand that has more sites. Segments that are near in the
@@ -72,10 +68,7 @@ class Binner {
 
   /// Keeps the segments that touch an uncovered cell, and lists these cells if they are wanted.
   void keep_visible() {
-    std::optional<UncoveredCounts> uncovered;
-    if (rows_of_tall() > kRowsPerCell * static_cast<double>(grid_.size())) {
-      uncovered.emplace(cover_, cancellation_, scratch_.visible.uncovered);
-    }
+    const UncoveredRows uncovered(cover_, cancellation_, scratch_.visible.uncovered);
     constexpr std::uint64_t kUnitsOfSegment = 32;  // it passes some cells, in 300 ns
     const std::size_t tasks = tasks_for(kUnitsOfSegment * kept_.size(), cancellation_);
     auto& parts = scratch_.parts;
@@ -113,17 +106,11 @@ class Binner {
     }
     kept_.resize(count);
   }
-  /// Returns how many rows tall segments pass.
-  [[nodiscard]] double rows_of_tall() const {
-    double rows = 0;
-    visit_in_pieces(kept_, cancellation_, [&](const KeptSegment& s) { rows += rows_if_tall(s); });
-    return rows;
-  }
-  [[nodiscard]] double rows_if_tall(const KeptSegment& s) const {
-    constexpr double kTall = 8;  // rows; of fewer, too few are left out
+  /// Whether a segment passes so many rows that leaving out some of them pays.
+  [[nodiscard]] bool is_tall(const KeptSegment& s) const {
+    constexpr double kTall = 8;
     const auto [a, b] = s.clipped();
-    const double rows = std::abs(b.y - a.y) * grid_.inverse;
-    return rows > kTall ? rows : 0;
+    return std::abs(b.y - a.y) * grid_.inverse > kTall;
   }
 
   void clip(std::span<const Segment> segments) {
@@ -165,12 +152,12 @@ class Binner {
 
   /// Returns whether a segment is near an uncovered cell. Notes whether it may be near a covered
   /// one.
-  bool is_visible(const std::optional<UncoveredCounts>& uncovered, KeptSegment& s,
+  bool is_visible(const UncoveredRows& uncovered, KeptSegment& s,
                   Cancellation& cancellation) const {
-    if (uncovered && rows_if_tall(s) > 0) {
+    if (is_tall(s)) {
       cancellation.check(8);
       s.meets_cover = true;
-      return !is_hidden(cover_, *uncovered, s.clipped());
+      return !is_hidden(cover_, uncovered, s.clipped());
     }
     const CellsNear near = cells_near(cover_, s.clipped(), Until::kBoth);
     s.meets_cover = near.covered;
@@ -178,7 +165,7 @@ class Binner {
     return near.uncovered;
   }
   /// Appends an item for each uncovered cell near a segment. Returns whether there is one.
-  bool list_cells(const std::optional<UncoveredCounts>& uncovered, KeptSegment& s, KeptId id,
+  bool list_cells(const UncoveredRows& uncovered, KeptSegment& s, KeptId id,
                   Cancellation& cancellation, std::vector<CellItem>& items) const {
     const std::size_t before = items.size();
     std::uint64_t rows = 0;
@@ -198,12 +185,12 @@ class Binner {
       return true;
     };
     const auto is_covered = [&](const UniformGrid::RowSpan& span, std::int32_t last_row) {
-      const bool covered = uncovered->none_in(span.left, span.row, span.right, last_row);
+      const bool covered = uncovered.none_in(span.left, span.row, span.right, last_row);
       s.meets_cover = s.meets_cover || covered;
       return covered;
     };
     const auto [a, b] = s.clipped();
-    if (uncovered && rows_if_tall(s) > 0) {
+    if (is_tall(s)) {
       grid_.walk_rows_but(a, b, UniformGrid::kMargin, visit, is_covered);
     } else {
       grid_.walk_rows(a, b, UniformGrid::kMargin, visit);

@@ -18,14 +18,17 @@ namespace {
 // cells, which lies inside the sum too.
 static_assert(UniformGrid::kMaxSide <= 1 << 13);
 
-/// Recognises most boxes that lie wholly in covered cells, by one look at a bitmap.
+/// Recognises boxes that lie wholly in covered cells, most of them by one look at a bitmap.
 ///
 /// Take the block of 2^k by 2^k cells that starts at the lower left cell of a box. If the box is no
 /// larger and the block is covered, the box lies in covered cells.
 class CoveredBlocks {
  public:
-  CoveredBlocks(const Cover& cover, std::array<Bitmap, VisibleScratch::kLevels + 1>& blocks)
-      : words_(cover.covered.words_per_row()), last_row_(cover.grid.rows - 1) {
+  CoveredBlocks(const Cover& cover, const UncoveredRows& uncovered,
+                std::array<Bitmap, VisibleScratch::kLevels>& blocks)
+      : uncovered_(uncovered),
+        words_(cover.covered.words_per_row()),
+        last_row_(cover.grid.rows - 1) {
     const Bitmap* smaller = &cover.covered;
     bits_[0] = smaller->row(0);
     for (std::size_t k = 1; k <= VisibleScratch::kLevels; ++k) {
@@ -33,16 +36,17 @@ class CoveredBlocks {
       smaller = &blocks[k - 1];
       bits_[k] = smaller->row(0);
     }
-    blocks.back().reset(cover.grid.columns, cover.grid.rows, words_);
-    bits_.back() = blocks.back().row(0);  // for boxes that are too long
   }
+  /// Whether the segment of an edge and a vertex lies in covered cells with its box. A box that is
+  /// no larger than a block may do so without being recognised.
   [[nodiscard]] bool hides(const CellSite& edge, const CellSite& vertex) const {
     const auto i0 = static_cast<std::int32_t>(edge.box.x0 + vertex.x);
     const auto j0 = static_cast<std::int32_t>(edge.box.y0 + vertex.y);
     const auto i1 = static_cast<std::int32_t>(edge.box.x1 + vertex.x);
     const auto j1 = static_cast<std::int32_t>(edge.box.y1 + vertex.y);
     const auto spread = static_cast<std::uint32_t>((i1 - i0) | (j1 - j0));
-    const auto level = std::min(static_cast<std::size_t>(std::bit_width(spread)), bits_.size() - 1);
+    const auto level = static_cast<std::size_t>(std::bit_width(spread));
+    if (level >= bits_.size()) return uncovered_.none_in(i0, j0, i1, j1);
     // Rows have room for a column more than the grid has.
     const auto word = static_cast<std::size_t>(std::min(j0, last_row_)) * words_ +
                       static_cast<std::size_t>(i0 >> 6);
@@ -65,14 +69,14 @@ class CoveredBlocks {
     }
   }
 
+  const UncoveredRows& uncovered_;
   std::size_t words_;
   std::int32_t last_row_;
-  std::array<const std::uint64_t*, VisibleScratch::kLevels + 2> bits_{};
+  std::array<const std::uint64_t*, VisibleScratch::kLevels + 1> bits_{};
 };
 
 /// Whether the sum of two boxes lies wholly in covered cells.
-[[nodiscard]] bool hides(const UncoveredCounts& uncovered, const CellBounds& a,
-                         const CellBounds& b) {
+[[nodiscard]] bool hides(const UncoveredRows& uncovered, const CellBounds& a, const CellBounds& b) {
   const auto cell = [](float x) { return static_cast<std::int32_t>(x); };
   return uncovered.none_in(cell(a.x0 + b.x0), cell(a.y0 + b.y0), cell(a.x1 + b.x1),
                            cell(a.y1 + b.y1));
@@ -179,7 +183,7 @@ void limit_visible(std::size_t segments, std::uint64_t most) {
 /// Finds visible segments of one operand's edges at the other's vertices, pairs of runs at a time.
 class RunSearch {
  public:
-  RunSearch(const Operands& o, const RankCircle& circle, const UncoveredCounts& uncovered,
+  RunSearch(const Operands& o, const RankCircle& circle, const UncoveredRows& uncovered,
             std::uint64_t most, const VisibleScratch& scratch)
       : o_(o),
         circle_(circle),
@@ -286,7 +290,7 @@ class RunSearch {
 
   const Operands& o_;
   const RankCircle& circle_;
-  const UncoveredCounts& uncovered_;
+  const UncoveredRows& uncovered_;
   std::uint64_t most_;
   std::array<const RunTree*, 2> trees_;
   const VisibleScratch& scratch_;
@@ -330,7 +334,8 @@ std::span<const Segment> list_visible(const Operands& o, std::span<const Segment
   auto& visible = scratch.visible;
   resize_in_pieces(visible, segments.size(), cancellation);
   std::size_t count = 0;
-  const CoveredBlocks covered(cover, scratch.blocks);
+  const UncoveredRows uncovered(cover, cancellation, scratch.uncovered);
+  const CoveredBlocks covered(cover, uncovered, scratch.blocks);
   // There is no branch on which segments are hidden, because that is hard to predict.
   visit_in_pieces(segments, cancellation, [&](const Segment& segment) {
     visible[count] = segment;
@@ -339,16 +344,6 @@ std::span<const Segment> list_visible(const Operands& o, std::span<const Segment
     count += (hidden | copy) ? 0U : 1U;
   });
   visible.resize(count);
-  // Many of these may be too long for blocks.
-  if (visible.size() > static_cast<std::size_t>(cover.grid.size()) / 4) {
-    const UncoveredCounts uncovered(cover, cancellation, scratch.uncovered);
-    count = 0;
-    visit_in_pieces(visible, cancellation, [&](const Segment& segment) {
-      if (hides(uncovered, sites[segment.edge].box, point_box(sites[segment.vertex]))) return;
-      visible[count++] = segment;
-    });
-    visible.resize(count);
-  }
   return visible;
 }
 
@@ -374,7 +369,7 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
     scratch.ranges[v] = operands.convex[v] != 0 ? reduced_range(operands, v) : RankRange{0, 0};
   }
   const RankCircle circle(operands.rank_count);
-  const UncoveredCounts uncovered(cover, cancellation, scratch.uncovered);
+  const UncoveredRows uncovered(cover, cancellation, scratch.uncovered);
   TreeBuilder builder(operands, circle, scratch);
   scratch.searches.resize(std::max(scratch.searches.size(), members_of(cancellation)));
   for (RunScratch& search : scratch.searches) search.found.clear();

@@ -55,9 +55,8 @@ struct alignas(64) RunScratch {  // threads fill neighbours: each needs cache li
 struct VisibleScratch {
   static constexpr std::size_t kLevels = 3;
   std::vector<CellSite> sites;
-  /// Bitmaps of where blocks of 2, 4 and 8 cells a side are covered, and then an empty bitmap.
-  std::array<Bitmap, kLevels + 1> blocks;
-  std::vector<std::uint32_t> uncovered;  ///< by corner: uncovered cells below and to the left
+  std::array<Bitmap, kLevels> blocks;    ///< where blocks of 2, 4 and 8 cells a side are covered
+  std::vector<std::uint64_t> uncovered;  ///< memory for `UncoveredRows`
   std::vector<RankRange> ranges;  ///< by site: directions that it meets; none if it is reflex
   RunTree edges;
   RunTree vertices;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -35,34 +37,45 @@ struct Cover {
   }
 };
 
-/// By corner of a cover's grid, the number of uncovered cells below and to the left. A sum of four
-/// of these is the number in a box of cells.
-class UncoveredCounts {
+/// Which cells of a cover are uncovered: in each row, and in every 2, 4, 8 ... rows together.
+class UncoveredRows {
  public:
-  /// Counts in O(cells). `counts` is the memory for that, and must outlive this.
-  UncoveredCounts(const Cover& cover, Cancellation& cancellation,
-                  std::vector<std::uint32_t>& counts);
+  /// Unites rows in O(cells log(rows) / 64). `memory` must outlive this.
+  UncoveredRows(const Cover& cover, Cancellation& cancellation, std::vector<std::uint64_t>& memory);
   /// Whether no cell of these columns and rows is uncovered, the last ones included. Cells beyond
-  /// the grid's right and top sides are taken for the last ones of the grid.
+  /// the grid's right and top sides are taken for the last ones of the grid. O(words of a row).
   [[nodiscard]] bool none_in(std::int32_t left, std::int32_t bottom, std::int32_t right,
                              std::int32_t top) const {
-    const auto column = [&](std::int32_t i) {
-      return static_cast<std::size_t>(std::min(i, last_column_));
-    };
-    const auto row = [&](std::int32_t j) {
-      return static_cast<std::size_t>(std::min(j, last_row_));
-    };
-    const std::size_t end = column(right) + 1;
-    const std::uint32_t* below = counts_ + stride_ * row(bottom);
-    const std::uint32_t* above = counts_ + stride_ * (row(top) + 1);
-    return above[end] - above[column(left)] == below[end] - below[column(left)];
+    left = std::min(left, last_column_);
+    right = std::min(right, last_column_);
+    bottom = std::min(bottom, last_row_);
+    top = std::min(top, last_row_);
+    // As many rows from the bottom as from the top, which together are all of the box.
+    const auto height = static_cast<std::uint32_t>(top - bottom + 1);
+    const int level = static_cast<int>(std::bit_width(height)) - 1;
+    const std::uint64_t* const lower = row(level, bottom);
+    const std::uint64_t* const upper = row(level, top + 1 - (std::int32_t{1} << level));
+    const auto first = static_cast<std::size_t>(left >> 6);
+    const auto last = static_cast<std::size_t>(right >> 6);
+    std::uint64_t from = ~std::uint64_t{0} << (left & 63);
+    std::uint64_t to = ~std::uint64_t{0} >> (63 - (right & 63));
+    if (first == last) from = to = from & to;
+    std::uint64_t any = ((lower[first] | upper[first]) & from) | ((lower[last] | upper[last]) & to);
+    for (std::size_t w = first + 1; w < last; ++w) any |= lower[w] | upper[w];
+    return any == 0;
   }
 
  private:
+  [[nodiscard]] const std::uint64_t* row(int level, std::int32_t j) const {
+    return rows_[static_cast<std::size_t>(level)] + words_ * static_cast<std::size_t>(j);
+  }
+
   std::int32_t last_column_;
   std::int32_t last_row_;
-  std::size_t stride_;
-  const std::uint32_t* counts_ = nullptr;
+  std::size_t words_;  ///< of a row
+  /// Row j of level k has the uncovered cells of the 2^k rows from j on.
+  std::array<const std::uint64_t*, 14> rows_{};
+  static_assert(UniformGrid::kMaxSide < 1 << 14);
 };
 
 /// The edges of an operand, [begin, end). Edge e goes from vertex e to vertex next[e]. The lower
@@ -149,7 +162,8 @@ struct BoughtGrids {
 /// Marks the cells that translates cover. There are about `segments` segments, which need not be
 /// listed yet. `price` is what they take with the cover as it is, in words moved. The grid is finer
 /// than those that were bought before, and as fine as it can be for small shares of that price.
-/// Returns false, and leaves the cover as it was, if no grid is that cheap.
+/// The cover is not active if these cover nothing. Returns false, and leaves the cover as it was,
+/// if no grid is that cheap.
 [[nodiscard]] bool cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
                                  Cancellation& cancellation, CoverScratch& scratch,
                                  BoughtGrids& bought, Cover& cover);
@@ -194,8 +208,7 @@ enum class Until : std::uint8_t { kCovered, kUncovered, kBoth };
 [[nodiscard]] CellsNear cells_near(const Cover& cover, const Line& line, Until until);
 /// Whether a line is near covered cells only. Looks at the cells of its ends and of its middle, and
 /// at all near its box. If some of these are not covered, the halves of the line tell.
-[[nodiscard]] bool is_hidden(const Cover& cover, const UncoveredCounts& uncovered,
-                             const Line& line);
+[[nodiscard]] bool is_hidden(const Cover& cover, const UncoveredRows& uncovered, const Line& line);
 /// Tells whether the crossings of what a cover leaves of so many segments are found sooner cell by
 /// cell than among all pairs.
 [[nodiscard]] bool pays_by_cells(const Operands& operands, double segments, const UniformGrid& grid,

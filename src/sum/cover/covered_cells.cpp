@@ -17,26 +17,29 @@ std::uint64_t Cover::covered_count() const {
   return count;
 }
 
-UncoveredCounts::UncoveredCounts(const Cover& cover, Cancellation& cancellation,
-                                 std::vector<std::uint32_t>& counts)
+UncoveredRows::UncoveredRows(const Cover& cover, Cancellation& cancellation,
+                             std::vector<std::uint64_t>& memory)
     : last_column_(cover.grid.columns - 1),
       last_row_(cover.grid.rows - 1),
-      stride_(static_cast<std::size_t>(cover.grid.columns) + 1) {
-  resize_in_pieces(counts, stride_ * (static_cast<std::size_t>(cover.grid.rows) + 1), cancellation);
-  std::fill_n(counts.begin(), stride_, 0);
-  for (std::int32_t j = 0; j <= last_row_; ++j) {
-    cancellation.check(stride_);
-    const std::uint32_t* below = counts.data() + stride_ * static_cast<std::size_t>(j);
-    std::uint32_t* above = counts.data() + stride_ * static_cast<std::size_t>(j + 1);
-    const std::uint64_t* covered = cover.covered.row(j);
-    std::uint32_t in_row = 0;
-    above[0] = 0;
-    for (std::int32_t i = 0; i <= last_column_; ++i) {
-      in_row += static_cast<std::uint32_t>(~covered[i >> 6] >> (i & 63)) & 1U;
-      above[i + 1] = below[i + 1] + in_row;
-    }
+      words_(cover.covered.words_per_row()) {
+  const auto rows = static_cast<std::size_t>(cover.grid.rows);
+  const auto levels = static_cast<std::size_t>(std::bit_width(rows));
+  // Level k has 2^k - 1 rows fewer than the first one.
+  const std::size_t all = (rows + 1) * levels + 1 - (std::size_t{1} << levels);
+  resize_in_pieces(memory, words_ * all, cancellation);
+  std::uint64_t* to = memory.data();
+  rows_[0] = to;
+  for (const std::uint64_t covered : cover.covered.words()) *to++ = ~covered;
+  for (std::size_t level = 1; level < levels; ++level) {
+    const std::size_t half = words_ << (level - 1);
+    const std::size_t size = words_ * (rows + 1) - 2 * half;
+    const std::uint64_t* const from = rows_[level - 1];
+    in_pieces(size, cancellation, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) to[i] = from[i] | from[i + half];
+    });
+    rows_[level] = to;
+    to += size;
   }
-  counts_ = counts.data();
 }
 
 std::optional<std::string> check(const Cover& cover, const Operands& operands) {

@@ -112,7 +112,7 @@ CellsNear cells_near(const Cover& cover, const Line& line, Until until) {
   return near;
 }
 
-bool is_hidden(const Cover& cover, const UncoveredCounts& uncovered, const Line& line) {
+bool is_hidden(const Cover& cover, const UncoveredRows& uncovered, const Line& line) {
   const auto& [start, end] = line;
   const UniformGrid& grid = cover.grid;
   const Vec<double> middle{(start.x + end.x) / 2, (start.y + end.y) / 2};

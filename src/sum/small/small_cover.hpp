@@ -24,7 +24,7 @@ struct SmallCover {
   Cover cover;
   CoverScratch scratch;
   std::array<SmallLinks, 2> links;       ///< of both operands
-  std::vector<std::uint32_t> uncovered;  ///< memory for `UncoveredCounts`
+  std::vector<std::uint64_t> uncovered;  ///< memory for `UncoveredRows`
   BoughtGrids bought;
   double crossings;  ///< about how many each segment has, or 0
 };

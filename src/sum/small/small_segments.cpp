@@ -106,9 +106,9 @@ void drop_copies(const SmallOperand& p, double width, SmallSegments& s) {
   s.size = kept;
 }
 
-void drop_hidden(const Cover& cover, std::vector<std::uint32_t>& counts, SmallSegments& s) {
+void drop_hidden(const Cover& cover, std::vector<std::uint64_t>& memory, SmallSegments& s) {
   Cancellation never;
-  const UncoveredCounts uncovered(cover, never, counts);
+  const UncoveredRows uncovered(cover, never, memory);
   keep_if(s, [&](const Line& line) { return !is_hidden(cover, uncovered, line); });
 }
 

@@ -245,7 +245,7 @@ TEST(Cover, SampleOfManySegmentsIsLarge) {
   }
 }
 
-TEST(Cover, UncoveredCountsTellCoveredBoxes) {
+TEST(Cover, UncoveredRowsTellCoveredBoxes) {
   Random random(6);
   Cover cover;
   cover.active = true;
@@ -256,9 +256,9 @@ TEST(Cover, UncoveredCountsTellCoveredBoxes) {
     const auto column = static_cast<std::int32_t>(random.below(75));
     cover.covered.set(column, static_cast<std::int32_t>(random.below(20)));
   }
-  std::vector<std::uint32_t> memory;
+  std::vector<std::uint64_t> memory;
   Cancellation never;
-  const UncoveredCounts uncovered(cover, never, memory);
+  const UncoveredRows uncovered(cover, never, memory);
   int covered_boxes = 0;
   for (std::int32_t left = 0; left < 75; left += 3) {
     for (std::int32_t right = left; right < 75 && right < left + 4; ++right) {
