@@ -18,6 +18,8 @@ struct UniformGrid {
   /// Distance in cells. A walk reports every cell within this distance of the segment, and none
   /// farther than three times this distance.
   static constexpr double kMargin = 0x1p-6;
+  /// Covers the rounding of the walk itself, for coordinates below 2^13 and slopes below 2^19.
+  static constexpr double kSlack = 0x1p-16;
 
   double cell = 1;     ///< h
   double inverse = 1;  ///< 1 / h, rounded
@@ -47,14 +49,97 @@ struct UniformGrid {
     double y0, y1;
   };
 
+  /// The rows near a segment, in cell units, from its lower end.
+  class RowWalk {
+   public:
+    RowWalk(const UniformGrid& grid, const Vec<double>& a, const Vec<double>& b, double margin)
+        : grid_(grid),
+          margin_(margin),
+          ax_((a.y <= b.y ? a : b).x * grid.inverse),
+          ay_((a.y <= b.y ? a : b).y * grid.inverse),
+          by_((a.y <= b.y ? b : a).y * grid.inverse) {
+      const double bx = (a.y <= b.y ? b : a).x * grid.inverse;
+      min_x_ = std::min(ax_, bx);
+      max_x_ = std::max(ax_, bx);
+      first = clamp_to(ay_ - margin, grid.rows);
+      last = clamp_to(by_ + margin, grid.rows);
+      // If a segment is too flat to divide by its height safely, each of its rows gets all its
+      // columns. So does its row if it has only one.
+      whole_ = first == last || by_ - ay_ <= kMargin;
+      slope_ = whole_ ? 0 : (bx - ax_) / (by_ - ay_);
+    }
+    /// Returns the part near the rows from j to `end`.
+    [[nodiscard]] RowSpan span(std::int32_t j, std::int32_t end) const {
+      RowSpan span{j, 0, 0, min_x_, max_x_, ay_, by_};
+      if (!whole_) {
+        span.y0 = std::clamp(j - margin_, ay_, by_);
+        span.y1 = std::clamp(end + 1 + margin_, ay_, by_);
+        const double x0 = ax_ + (span.y0 - ay_) * slope_;
+        const double x1 = ax_ + (span.y1 - ay_) * slope_;
+        span.x0 = std::max(min_x_, std::min(x0, x1));
+        span.x1 = std::min(max_x_, std::max(x0, x1));
+      }
+      set_columns(span);
+      return span;
+    }
+    /// Returns the rows that the segment passes from one side to the other, with their margins: the
+    /// first one, and the one behind the last one. They have equal spans, each moved by the slope.
+    /// There are none if the segment is flat.
+    [[nodiscard]] std::pair<std::int32_t, std::int32_t> inner_rows() const {
+      if (whole_) return {first, first};
+      return {static_cast<std::int32_t>(ay_ + margin_) + 1,
+              static_cast<std::int32_t>(by_ - margin_)};
+    }
+    /// Moves the span of an inner row to the next one.
+    void move_up(RowSpan& span) const {
+      ++span.row;
+      ++span.y0;
+      ++span.y1;
+      span.x0 += slope_;
+      span.x1 += slope_;
+      set_columns(span);
+    }
+    /// Returns how many columns the segment goes to the right for each row.
+    [[nodiscard]] double slope() const { return slope_; }
+    /// Whether the segment passes a height: it starts below it, and does not end below it.
+    [[nodiscard]] bool passes(double y) const { return ay_ < y && y <= by_; }
+    /// Returns where it does so, or any point of it if it is flat.
+    [[nodiscard]] double column_at(double y) const {
+      return std::clamp(ax_ + (y - ay_) * slope_, min_x_, max_x_);
+    }
+
+    std::int32_t first;  ///< row
+    std::int32_t last;
+
+   private:
+    void set_columns(RowSpan& span) const {
+      span.left = clamp_to(span.x0 - margin_ - kSlack, grid_.columns);
+      span.right = clamp_to(span.x1 + margin_ + kSlack, grid_.columns);
+    }
+
+    const UniformGrid& grid_;
+    double margin_;
+    double ax_, ay_, by_;
+    double min_x_, max_x_;
+    bool whole_;
+    double slope_;
+  };
+
   /// Calls visit(span) for every row of cells within `margin` cells of the segment from a to b,
   /// from below. `margin` is a multiple of kMargin and at most 1. Stops early if visit returns
   /// false.
   template <class Visit>
   void walk_rows(const Vec<double>& a, const Vec<double>& b, double margin, Visit visit) const {
     const RowWalk walk(*this, a, b, margin);
+    const auto [inner, behind] = walk.inner_rows();
+    RowSpan span{};
     for (std::int32_t j = walk.first; j <= walk.last; ++j) {
-      if (!visit(walk.span(j, j))) return;
+      if (j > inner && j < behind) {
+        walk.move_up(span);
+      } else {
+        span = walk.span(j, j);
+      }
+      if (!visit(span)) return;
     }
   }
 
@@ -96,57 +181,7 @@ struct UniformGrid {
     });
   }
 
-  // Covers the rounding of the walk itself, for coordinates below 2^13 and slopes below 2^19.
-  static constexpr double kSlack = 0x1p-16;
-
  private:
-  /// A segment in cell units, from its lower end.
-  class RowWalk {
-   public:
-    RowWalk(const UniformGrid& grid, const Vec<double>& a, const Vec<double>& b, double margin)
-        : grid_(grid),
-          margin_(margin),
-          ax_((a.y <= b.y ? a : b).x * grid.inverse),
-          ay_((a.y <= b.y ? a : b).y * grid.inverse),
-          by_((a.y <= b.y ? b : a).y * grid.inverse) {
-      const double bx = (a.y <= b.y ? b : a).x * grid.inverse;
-      min_x_ = std::min(ax_, bx);
-      max_x_ = std::max(ax_, bx);
-      first = clamp_to(ay_ - margin, grid.rows);
-      last = clamp_to(by_ + margin, grid.rows);
-      // If a segment is too flat to divide by its height safely, each of its rows gets all its
-      // columns. So does its row if it has only one.
-      whole_ = first == last || by_ - ay_ <= kMargin;
-      slope_ = whole_ ? 0 : (bx - ax_) / (by_ - ay_);
-    }
-    /// Returns the part near the rows from j to `end`.
-    [[nodiscard]] RowSpan span(std::int32_t j, std::int32_t end) const {
-      RowSpan span{j, 0, 0, min_x_, max_x_, ay_, by_};
-      if (!whole_) {
-        span.y0 = std::clamp(j - margin_, ay_, by_);
-        span.y1 = std::clamp(end + 1 + margin_, ay_, by_);
-        const double x0 = ax_ + (span.y0 - ay_) * slope_;
-        const double x1 = ax_ + (span.y1 - ay_) * slope_;
-        span.x0 = std::max(min_x_, std::min(x0, x1));
-        span.x1 = std::min(max_x_, std::max(x0, x1));
-      }
-      span.left = clamp_to(span.x0 - margin_ - kSlack, grid_.columns);
-      span.right = clamp_to(span.x1 + margin_ + kSlack, grid_.columns);
-      return span;
-    }
-
-    std::int32_t first;  ///< row
-    std::int32_t last;
-
-   private:
-    const UniformGrid& grid_;
-    double margin_;
-    double ax_, ay_, by_;
-    double min_x_, max_x_;
-    bool whole_;
-    double slope_;
-  };
-
   /// Returns the cell that contains a coordinate, or the nearest of `count` cells. Truncation
   /// rounds numbers that are not negative down; without newer instructions, it is far cheaper than
   /// floor.

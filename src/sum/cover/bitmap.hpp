@@ -9,6 +9,21 @@
 
 namespace minksum {
 
+/// Sets the bits of a row from column `left` to column `right`.
+inline void set_bits(std::uint64_t* row, std::int32_t left, std::int32_t right) {
+  const std::int32_t first = left >> 6;
+  const std::int32_t last = right >> 6;
+  const std::uint64_t from = ~std::uint64_t{0} << (left & 63);
+  const std::uint64_t to = ~std::uint64_t{0} >> (63 - (right & 63));
+  if (first == last) {
+    row[first] |= from & to;
+    return;
+  }
+  row[first] |= from;
+  for (std::int32_t w = first + 1; w < last; ++w) row[w] = ~std::uint64_t{0};
+  row[last] |= to;
+}
+
 /// A bitmap of cells: rows of bits, 64 to a word. Bits past the last column are never set.
 class Bitmap {
  public:

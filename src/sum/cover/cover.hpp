@@ -129,6 +129,7 @@ struct LookedAt {
 struct CoverScratch {
   Vectors vectors = widest_vectors();  ///< for inner loops; the result does not depend on it
   OperandRaster raster[2];
+  OperandRaster coarser_raster[2];     ///< while a finer grid is tried
   Bitmap boundary[2];                  ///< cells that an operand's boundary may touch
   std::vector<std::uint64_t> widened;  ///< a bitmap united with copies moved by columns
   std::vector<std::uint64_t> row;

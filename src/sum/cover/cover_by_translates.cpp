@@ -58,11 +58,7 @@ class Rasteriser {
       const Vec<double> a = o_.at(e);
       const Vec<double> b = o_.at(o_.next[e]);
       cancellation_.check(2 + work_of_walk(o_, e, grid_));
-      grid_.walk(a, b, 4 * UniformGrid::kMargin, [&](std::int32_t i, std::int32_t j) {
-        boundary_.set(i, j);
-        return true;
-      });
-      toggle(a, b);
+      add(a, b);
     }
     fill_between_toggles(inside_);
     for (std::size_t w = 0; w < inside_.words().size(); ++w) {
@@ -89,21 +85,38 @@ class Rasteriser {
   }
 
  private:
-  /// Flips the cell where the edge crosses the centre line of each row. That cell is near the edge
-  /// and is left out, so its own parity does not matter.
-  void toggle(Vec<double> a, Vec<double> b) {
-    if (a.y > b.y) std::swap(a, b);
-    const double y0 = a.y * grid_.inverse;
-    const double y1 = b.y * grid_.inverse;
-    // These are the rows j with y0 < j + 1/2 <= y1.
-    const auto first = static_cast<std::int32_t>(y0 + 0.5);
-    const auto last = std::min(static_cast<std::int32_t>(y1 + 0.5), grid_.rows);
-    if (first >= last) return;
-    const double slope = (b.x - a.x) / (y1 - y0);
-    for (std::int32_t j = first; j < last; ++j) {
-      const double x = a.x + (j + 0.5 - y0) * slope;
-      const std::int32_t i = grid_.column(std::clamp(x, std::min(a.x, b.x), std::max(a.x, b.x)));
-      inside_.row(j)[i >> 6] ^= std::uint64_t{1} << (i & 63);
+  /// Marks the cells near an edge, and flips one where it crosses the centre line of each row. That
+  /// one is near the edge and is left out, so its own parity does not matter.
+  void add(const Vec<double>& a, const Vec<double>& b) {
+    constexpr double kMargin = 4 * UniformGrid::kMargin;
+    const UniformGrid::RowWalk walk(grid_, a, b, kMargin);
+    const auto flip = [](std::uint64_t* row, double x) {
+      const auto i = static_cast<std::int32_t>(x);
+      row[i >> 6] ^= std::uint64_t{1} << (i & 63);
+    };
+    const auto add_rows = [&](std::int32_t begin, std::int32_t end) {
+      for (std::int32_t j = begin; j < end; ++j) {
+        const UniformGrid::RowSpan span = walk.span(j, j);
+        set_bits(boundary_.row(j), span.left, span.right);
+        if (walk.passes(j + 0.5)) flip(inside_.row(j), walk.column_at(j + 0.5));
+      }
+    };
+    const auto [inner, behind] = walk.inner_rows();
+    if (inner >= behind) return add_rows(walk.first, walk.last + 1);
+    add_rows(walk.first, inner);
+    add_rows(behind, walk.last + 1);
+    const UniformGrid::RowSpan span = walk.span(inner, inner);
+    double left = span.x0 - kMargin - UniformGrid::kSlack;
+    double right = span.x1 + kMargin + UniformGrid::kSlack;
+    std::uint64_t* near = boundary_.row(inner);
+    std::uint64_t* inside = inside_.row(inner);
+    for (std::int32_t j = inner; j < behind; ++j) {
+      set_bits(near, static_cast<std::int32_t>(left), static_cast<std::int32_t>(right));
+      flip(inside, (left + right) / 2);
+      left += walk.slope();
+      right += walk.slope();
+      near += words_;
+      inside += words_;
     }
   }
 
