@@ -11,6 +11,7 @@
  *     itself. To read exact results, write them as text (minksum_write with MINKSUM_EXACT).
  *   - A geometry never changes once it is made, except by the functions that add to it. Any number
  *     of threads may use one at the same time. No function keeps global state.
+ *   - What is made of a geometry or an array has copies: the arguments may be freed after the call.
  *   - Lengths are in the unit of the coordinates, and angles in degrees, counter-clockwise.
  *
  * Errors
@@ -96,9 +97,10 @@ typedef struct minksum_options {
   minksum_fill fill;      /**< which points the operands' rings enclose */
   int regularize;         /**< not 0 = drop thin parts of the operands */
   int tight;              /**< keep tight places: 1 = yes, 0 = no, -1 = of no-fit polygons only */
-  int threads;            /**< threads of an operation; 0 = one for each core */
+  int threads;            /**< threads of an operation; 1 by default, 0 = one for each core */
   /** Called when a stage begins and every few milliseconds, by any thread, with the number of parts
-   * that are done and of all parts. Any result but 0 stops the operation. May be NULL. */
+   * that are done and of all parts. Any result but 0 stops the operation. It must return: neither
+   * exceptions nor longjmp may leave it. May be NULL. */
   int (*progress)(void *context, minksum_stage stage, size_t done, size_t parts);
   void *context; /**< passed to `progress` */
 } minksum_options;
@@ -528,7 +530,8 @@ MINKSUM_API void minksum_space_options_init(minksum_space_options *space_options
 typedef struct minksum_space minksum_space;
 /** Makes a configuration space, and all of it that does not depend on the robot's turn. The error
  * has operand 0 for a robot without area, and 2 for a workspace without area. It has operand 1 for
- * obstacles with thin parts if tight places are wanted. */
+ * obstacles with thin parts if tight places are wanted. The space keeps `progress` and `context` for
+ * its slices, so these must live as long as it does. */
 MINKSUM_API minksum_status minksum_space_new(const minksum_geometry *robot,
                                              const minksum_geometry *obstacles,
                                              const minksum_space_options *space_options,
