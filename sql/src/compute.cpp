@@ -149,8 +149,13 @@ Geometry set_of(mink_state& state, const mink_request& request, const Options& o
       return no_fit_polygon(a.geometry, b.geometry, reference(state, request, options), options);
     case MINK_INNER_FIT_POLYGON:
       return inner_fit_polygon(a.geometry, b.geometry, reference(state, request, options), options);
-    default:
+    case MINK_UNION:
+    case MINK_INTERSECTION:
+    case MINK_DIFFERENCE:
+    case MINK_SYM_DIFFERENCE:
       return boolean(request.operation, a, b, options);
+    default:
+      throw Error(ErrorCode::kInternal, "an operation has no case");
   }
 }
 
