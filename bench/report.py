@@ -242,9 +242,9 @@ def family_section(records):
              "CGAL reduced", "times", "MiB"], rows) + "\n\n</details>")
     return "\n\n".join([
         "## How does the time grow with size?",
-        "n is about the number of vertices of P, and doubles. Exponents are slopes of the best "
-        "lines through the logarithms, over the larger half of the sizes (four at least). A "
-        "family ends where a sum takes a second.",
+        "n is about the number of vertices of P. Each n is twice the one before it. Exponents are "
+        "slopes of the best lines through the logarithms, over the larger half of the sizes (four "
+        "at least). A family ends where a sum takes a second.",
         "![Families](img/bench-families.svg)",
         table(["family", "P ⊕ Q", "n", "time: exponent", "output: exponent",
                "segments: exponent"], summary)] + parts)
@@ -263,9 +263,9 @@ def tables_section(records):
     return "\n\n".join([
         "## How long do tables of no-fit polygons take?",
         "A table has all ordered pairs of an instance's parts, the second one turned by 0, 90, 180 "
-        "and 270 degrees. A `NoFitTable` of the parts as read makes every second sum and turns it "
-        "for the other. The figure is the wall clock for the table and for all entries taken from "
-        "it.",
+        "and 270 degrees. A `NoFitTable` of the parts as read computes only about half of these "
+        "sums, and turns them for the other entries. The figure is the wall clock for the table "
+        "and for all entries taken from it.",
         "CGAL takes a sample of the table's sums, each compared exactly first, in turn with the "
         "table. *Times* is CGAL's mean times the number of sums, divided by the table's time. The "
         "table runs on one thread and on all processors, and CGAL's sums run on one.",
@@ -329,8 +329,8 @@ def doubles_section(records):
              f"{r['ratio']:.2f}"] for r in records.of("doubles") if "ratio" in r]
     return "\n\n".join([
         "## What do doubles cost, beside decimals?",
-        "Models are turned by one radian. They are summed as the doubles that come out, and "
-        "rounded to six digits.",
+        "Models are turned by one radian. Each pair is summed twice: in the doubles that come out, "
+        "and in the decimals of six digits nearest to these.",
         table(["pair", "bits, decimals", "bits, doubles", "decimals", "doubles",
                "doubles / decimals"], rows)])
 

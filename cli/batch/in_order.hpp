@@ -51,8 +51,9 @@ struct Work {
 
 /// Runs all tasks on `threads` threads.
 ///
-/// At most 64 tasks a thread, or fewer if they are large, are taken and not yet consumed at a time,
-/// which bounds the memory. An exception of a task or function ends the run and is rethrown.
+/// At any time, at most 64 tasks for each thread, or fewer if they are large, have come from `next`
+/// and not yet gone to `consume`. That bounds the memory. An exception of a task or function ends
+/// the run and is rethrown.
 void run_in_order(int threads, const Work& work);
 
 }  // namespace minksum::cli

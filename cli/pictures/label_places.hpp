@@ -32,9 +32,10 @@ class LabelPlaces {
   void take(const LabelBox& box);
   /// Keeps labels off this line.
   void take_line(PicturePoint from, PicturePoint to);
-  /// Takes the place for a label of this size that is free and nearest to `anchor`, `direction`
-  /// before all others. Returns its middle. If no place nearby is free, it is the one with the
-  /// least below it. The nearest places are at `distance` from the anchor.
+  /// Takes a place near `anchor` for a label of this size, and returns the middle of that place.
+  /// Places at `distance` from the anchor are tried first, then places farther away. At each
+  /// distance, those nearest to `direction` are tried first. The first free place is taken. If none
+  /// is free, the label goes where it covers the least area that is taken.
   PicturePoint place(PicturePoint anchor, PicturePoint direction, double distance, double width,
                      double height);
 

@@ -27,9 +27,9 @@ namespace minksum {
 /// winding number, and x is in their closure.
 [[nodiscard]] Region grown(const Geometry& geometry, const Rational& half, const Options& options);
 
-/// Returns the closure of the points x with x ⊕ B in the region, which is the complement of the
-/// grown complement. The statement about `grown` holds for points outside the region: moved rings
-/// enclose none of them.
+/// Returns the closure of the set of points x for which B, moved to x, lies in the region. This is
+/// the complement of the grown complement of the region. So the proof for `grown` holds here with
+/// inside and outside exchanged: moved rings of the result enclose no point outside the region.
 [[nodiscard]] Region shrunk(const Region& region, const Rational& half, const Options& options);
 
 }  // namespace minksum

@@ -162,12 +162,12 @@ bool SegmentMeeter::clearly_apart(KeptId s, KeptId t) const {
   return std::abs(left - right) > bound;
 }
 
-/// Returns how far from (0, 0) a segment's line is, on the left of its direction or the opposite
-/// one, whichever goes right, or straight up.
+/// Returns the distance of a segment's line from (0, 0): positive if the line is on the left, as
+/// seen along the line to the right, or upwards if it is vertical.
 ///
-/// An offset is a cross product divided by a length. Its roundings, and the error of the segment's
-/// place, are off by as much wherever the segment is. An error of the direction grows with the
-/// distance from (0, 0).
+/// The distance is a cross product divided by a length. Its roundings and the error of the
+/// segment's place make it off by as much wherever the segment is. An error of the direction makes
+/// it off by more, the farther the segment is from (0, 0).
 SegmentMeeter::LineOffset SegmentMeeter::offset_of(KeptId segment) const {
   const KeptSegment& s = kept_[segment];
   const double length = std::sqrt(s.d.x * s.d.x + s.d.y * s.d.y);
