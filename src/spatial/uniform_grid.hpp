@@ -79,7 +79,8 @@ struct UniformGrid {
         span.x0 = std::max(min_x_, std::min(x0, x1));
         span.x1 = std::min(max_x_, std::max(x0, x1));
       }
-      set_columns(span);
+      span.left = clamp_to(span.x0 - margin_ - kSlack, grid_.columns);
+      span.right = clamp_to(span.x1 + margin_ + kSlack, grid_.columns);
       return span;
     }
     /// Returns the rows that the segment passes from one side to the other, with their margins: the
@@ -89,15 +90,6 @@ struct UniformGrid {
       if (whole_) return {first, first};
       return {static_cast<std::int32_t>(ay_ + margin_) + 1,
               static_cast<std::int32_t>(by_ - margin_)};
-    }
-    /// Moves the span of an inner row to the next one.
-    void move_up(RowSpan& span) const {
-      ++span.row;
-      ++span.y0;
-      ++span.y1;
-      span.x0 += slope_;
-      span.x1 += slope_;
-      set_columns(span);
     }
     /// Returns how many columns the segment goes to the right for each row.
     [[nodiscard]] double slope() const { return slope_; }
@@ -112,11 +104,6 @@ struct UniformGrid {
     std::int32_t last;
 
    private:
-    void set_columns(RowSpan& span) const {
-      span.left = clamp_to(span.x0 - margin_ - kSlack, grid_.columns);
-      span.right = clamp_to(span.x1 + margin_ + kSlack, grid_.columns);
-    }
-
     const UniformGrid& grid_;
     double margin_;
     double ax_, ay_, by_;
@@ -131,15 +118,8 @@ struct UniformGrid {
   template <class Visit>
   void walk_rows(const Vec<double>& a, const Vec<double>& b, double margin, Visit visit) const {
     const RowWalk walk(*this, a, b, margin);
-    const auto [inner, behind] = walk.inner_rows();
-    RowSpan span{};
     for (std::int32_t j = walk.first; j <= walk.last; ++j) {
-      if (j > inner && j < behind) {
-        walk.move_up(span);
-      } else {
-        span = walk.span(j, j);
-      }
-      if (!visit(span)) return;
+      if (!visit(walk.span(j, j))) return;
     }
   }
 

@@ -57,11 +57,13 @@ class UncoveredRows {
     const std::uint64_t* const upper = row(level, top + 1 - (std::int32_t{1} << level));
     const auto first = static_cast<std::size_t>(left >> 6);
     const auto last = static_cast<std::size_t>(right >> 6);
-    std::uint64_t from = ~std::uint64_t{0} << (left & 63);
-    std::uint64_t to = ~std::uint64_t{0} >> (63 - (right & 63));
-    if (first == last) from = to = from & to;
-    std::uint64_t any = ((lower[first] | upper[first]) & from) | ((lower[last] | upper[last]) & to);
-    for (std::size_t w = first + 1; w < last; ++w) any |= lower[w] | upper[w];
+    std::uint64_t wanted = ~std::uint64_t{0} << (left & 63);
+    std::uint64_t any = 0;
+    for (std::size_t w = first; w < last; ++w) {
+      any |= (lower[w] | upper[w]) & wanted;
+      wanted = ~std::uint64_t{0};
+    }
+    any |= (lower[last] | upper[last]) & wanted & ~std::uint64_t{0} >> (63 - (right & 63));
     return any == 0;
   }
 

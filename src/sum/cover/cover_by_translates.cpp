@@ -94,29 +94,27 @@ class Rasteriser {
       const auto i = static_cast<std::int32_t>(x);
       row[i >> 6] ^= std::uint64_t{1} << (i & 63);
     };
-    const auto add_rows = [&](std::int32_t begin, std::int32_t end) {
-      for (std::int32_t j = begin; j < end; ++j) {
-        const UniformGrid::RowSpan span = walk.span(j, j);
-        set_bits(boundary_.row(j), span.left, span.right);
-        if (walk.passes(j + 0.5)) flip(inside_.row(j), walk.column_at(j + 0.5));
-      }
-    };
     const auto [inner, behind] = walk.inner_rows();
-    if (inner >= behind) return add_rows(walk.first, walk.last + 1);
-    add_rows(walk.first, inner);
-    add_rows(behind, walk.last + 1);
-    const UniformGrid::RowSpan span = walk.span(inner, inner);
-    double left = span.x0 - kMargin - UniformGrid::kSlack;
-    double right = span.x1 + kMargin + UniformGrid::kSlack;
-    std::uint64_t* near = boundary_.row(inner);
-    std::uint64_t* inside = inside_.row(inner);
-    for (std::int32_t j = inner; j < behind; ++j) {
-      set_bits(near, static_cast<std::int32_t>(left), static_cast<std::int32_t>(right));
-      flip(inside, (left + right) / 2);
-      left += walk.slope();
-      right += walk.slope();
-      near += words_;
-      inside += words_;
+    for (std::int32_t j = walk.first; j <= walk.last; ++j) {
+      const UniformGrid::RowSpan span = walk.span(j, j);
+      std::uint64_t* near = boundary_.row(j);
+      std::uint64_t* inside = inside_.row(j);
+      if (j != inner || inner >= behind) {
+        set_bits(near, span.left, span.right);
+        if (walk.passes(j + 0.5)) flip(inside, walk.column_at(j + 0.5));
+        continue;
+      }
+      double left = span.x0 - kMargin - UniformGrid::kSlack;
+      double right = span.x1 + kMargin + UniformGrid::kSlack;
+      for (;; ++j) {
+        set_bits(near, static_cast<std::int32_t>(left), static_cast<std::int32_t>(right));
+        flip(inside, (left + right) / 2);
+        if (j + 1 == behind) break;
+        left += walk.slope();
+        right += walk.slope();
+        near += words_;
+        inside += words_;
+      }
     }
   }
 

@@ -34,9 +34,8 @@ UncoveredRows::UncoveredRows(const Cover& cover, Cancellation& cancellation,
     const std::size_t half = words_ << (level - 1);
     const std::size_t size = words_ * (rows + 1) - 2 * half;
     const std::uint64_t* const from = rows_[level - 1];
-    in_pieces(size, cancellation, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) to[i] = from[i] | from[i + half];
-    });
+    cancellation.check(size);
+    for (std::size_t i = 0; i < size; ++i) to[i] = from[i] | from[i + half];
     rows_[level] = to;
     to += size;
   }

@@ -22,33 +22,18 @@ BoxOf<double> common(const BoxOf<double>& a, const BoxOf<double>& b) {
 void see_part(const Cover& cover, const Line& line, BoxOf<double>& box) {
   // In units of cells.
   BoxOf<double> part{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  const UniformGrid::RowWalk walk(cover.grid, line.start, line.end, UniformGrid::kMargin);
-  // Returns whether an uncovered cell of this row is near, and adds what is near those.
-  const auto see = [&](std::int32_t row) {
-    const UniformGrid::RowSpan span = walk.span(row, row);
-    bool any = false;
+  cover.grid.walk_rows(line.start, line.end, UniformGrid::kMargin, [&](const auto& span) {
     const auto add = [&](std::int32_t word, std::uint64_t covered, std::uint64_t wanted) {
       const std::uint64_t seen = wanted & ~covered;
       if (seen == 0) return;
       const int from = 64 * word + std::countr_zero(seen);
       const int to = 64 * word + static_cast<int>(std::bit_width(seen));
       part.add({std::max<double>(span.x0, from), span.y0, std::min<double>(span.x1, to), span.y1});
-      any = true;
     };
-    cover.covered.visit_words(row, span.left, span.right, add);
-    return any;
-  };
-  std::int32_t first = walk.first;
-  std::int32_t last = walk.last;
-  while (first <= last && !see(first)) ++first;
-  while (last > first && !see(last)) --last;
-  // The line is monotone. So what is seen in other rows lies between, but for one margin. The spans
-  // of the two next rows may reach farther, because they overlap those of the first and the last.
-  if (last - first > 1) {
-    static_cast<void>(see(first + 1));
-    static_cast<void>(see(last - 1));
-  }
-  // That is one margin. Spans and coordinates in cells are rounded by far less than another one.
+    cover.covered.visit_words(span.row, span.left, span.right, add);
+    return true;
+  });
+  // Spans and coordinates in cells are rounded by far less than the margin.
   constexpr double kMargin = 2 * UniformGrid::kMargin;
   const double cell = cover.grid.cell;
   box = common(box, {(part.x0 - kMargin) * cell, (part.y0 - kMargin) * cell,

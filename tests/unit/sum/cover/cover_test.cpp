@@ -246,34 +246,45 @@ TEST(Cover, SampleOfManySegmentsIsLarge) {
 }
 
 TEST(Cover, UncoveredRowsTellCoveredBoxes) {
+  constexpr std::int32_t kColumns = 150;
+  constexpr std::int32_t kRows = 41;
   Random random(6);
+  const auto below = [&](std::int32_t end) {
+    return static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(end)));
+  };
   Cover cover;
   cover.active = true;
-  cover.grid.columns = 75;
-  cover.grid.rows = 20;
-  cover.covered.reset(75, 20);
-  for (int i = 0; i < 1400; ++i) {
-    const auto column = static_cast<std::int32_t>(random.below(75));
-    cover.covered.set(column, static_cast<std::int32_t>(random.below(20)));
+  cover.grid.columns = kColumns;
+  cover.grid.rows = kRows;
+  cover.covered.reset(kColumns, kRows);
+  for (std::int32_t j = 0; j < kRows; ++j) {
+    for (std::int32_t i = 0; i < kColumns; ++i) {
+      if (below(300) != 0) cover.covered.set(i, j);
+    }
   }
   std::vector<std::uint64_t> memory;
   Cancellation never;
   const UncoveredRows uncovered(cover, never, memory);
   int covered_boxes = 0;
-  for (std::int32_t left = 0; left < 75; left += 3) {
-    for (std::int32_t right = left; right < 75 && right < left + 4; ++right) {
-      for (std::int32_t bottom = 0; bottom < 20; ++bottom) {
-        const std::int32_t top = std::min(bottom + 1, 19);
-        bool all = true;
-        for (std::int32_t j = bottom; j <= top; ++j) {
-          for (std::int32_t i = left; i <= right; ++i) all = all && cover.is_covered(i, j);
-        }
-        EXPECT_EQ(uncovered.none_in(left, bottom, right, top), all);
-        covered_boxes += all ? 1 : 0;
-      }
+  int crossing_words = 0;
+  for (int box = 0; box < 4000; ++box) {
+    const std::int32_t left = below(kColumns);
+    const std::int32_t right = left + below(kColumns - left);
+    const std::int32_t bottom = below(kRows);
+    const std::int32_t top = bottom + below(kRows - bottom);
+    bool all = true;
+    for (std::int32_t j = bottom; j <= top; ++j) {
+      for (std::int32_t i = left; i <= right; ++i) all = all && cover.is_covered(i, j);
     }
+    ASSERT_EQ(uncovered.none_in(left, bottom, right, top), all);
+    covered_boxes += all ? 1 : 0;
+    crossing_words += all && right / 64 - left / 64 > 1 ? 1 : 0;
   }
-  EXPECT_GT(covered_boxes, 50);
+  EXPECT_GT(covered_boxes, 400);
+  EXPECT_GT(crossing_words, 10);
+  // What lies beyond the grid is taken for its last cells.
+  const bool last = cover.is_covered(kColumns - 1, kRows - 1);
+  EXPECT_EQ(uncovered.none_in(kColumns - 1, kRows - 1, kColumns + 5, kRows + 5), last);
 }
 
 }  // namespace
