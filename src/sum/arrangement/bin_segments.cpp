@@ -68,7 +68,7 @@ class Binner {
 
   /// Keeps the segments that touch an uncovered cell, and lists these cells if they are wanted.
   void keep_visible() {
-    const UncoveredRows uncovered(cover_, cancellation_, scratch_.visible.uncovered);
+    const UncoveredRows& uncovered = scratch_.visible.uncovered;
     constexpr std::uint64_t kUnitsOfSegment = 32;  // it passes some cells, in 300 ns
     const std::size_t tasks = tasks_for(kUnitsOfSegment * kept_.size(), cancellation_);
     auto& parts = scratch_.parts;
@@ -108,7 +108,7 @@ class Binner {
   }
   /// Whether a segment passes so many rows that leaving out some of them pays.
   [[nodiscard]] bool is_tall(const KeptSegment& s) const {
-    constexpr double kTall = 8;
+    constexpr double kTall = 8;  // of fewer, too few are left out
     const auto [a, b] = s.clipped();
     return std::abs(b.y - a.y) * grid_.inverse > kTall;
   }

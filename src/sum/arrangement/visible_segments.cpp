@@ -334,8 +334,7 @@ std::span<const Segment> list_visible(const Operands& o, std::span<const Segment
   auto& visible = scratch.visible;
   resize_in_pieces(visible, segments.size(), cancellation);
   std::size_t count = 0;
-  const UncoveredRows uncovered(cover, cancellation, scratch.uncovered);
-  const CoveredBlocks covered(cover, uncovered, scratch.blocks);
+  const CoveredBlocks covered(cover, scratch.uncovered, scratch.blocks);
   // There is no branch on which segments are hidden, because that is hard to predict.
   visit_in_pieces(segments, cancellation, [&](const Segment& segment) {
     visible[count] = segment;
@@ -361,6 +360,7 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
   constexpr std::uint64_t kUnitsOfSite = 32;  // a site's runs meet some others, in 300 ns
   cancellation.check(operands.size());
   measure_sites(operands, cover.grid.inverse, scratch.sites);
+  scratch.uncovered.unite(cover, cancellation);
   if (convolution.listed()) {
     return list_visible(operands, convolution.segments, cover, cancellation, scratch);
   }
@@ -369,7 +369,6 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
     scratch.ranges[v] = operands.convex[v] != 0 ? reduced_range(operands, v) : RankRange{0, 0};
   }
   const RankCircle circle(operands.rank_count);
-  const UncoveredRows uncovered(cover, cancellation, scratch.uncovered);
   TreeBuilder builder(operands, circle, scratch);
   scratch.searches.resize(std::max(scratch.searches.size(), members_of(cancellation)));
   for (RunScratch& search : scratch.searches) search.found.clear();
@@ -378,7 +377,7 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
   for (const int operand : {0, 1}) {
     builder.edges_of(1 - operand);
     builder.vertices_of(operand);
-    const RunSearch search(operands, circle, uncovered, most, scratch);
+    const RunSearch search(operands, circle, scratch.uncovered, most, scratch);
     search.begin(tasks, scratch.pairs);
     share(scratch.pairs.size(), cancellation,
           [&](std::size_t task, std::size_t member, Cancellation& own) {

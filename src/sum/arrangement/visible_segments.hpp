@@ -55,9 +55,9 @@ struct alignas(64) RunScratch {  // threads fill neighbours: each needs cache li
 struct VisibleScratch {
   static constexpr std::size_t kLevels = 3;
   std::vector<CellSite> sites;
-  std::array<Bitmap, kLevels> blocks;    ///< where blocks of 2, 4 and 8 cells a side are covered
-  std::vector<std::uint64_t> uncovered;  ///< memory for `UncoveredRows`
-  std::vector<RankRange> ranges;  ///< by site: directions that it meets; none if it is reflex
+  std::array<Bitmap, kLevels> blocks;  ///< where blocks of 2, 4 and 8 cells a side are covered
+  UncoveredRows uncovered;             ///< of the cover
+  std::vector<RankRange> ranges;       ///< by site: directions that it meets; none if it is reflex
   RunTree edges;
   RunTree vertices;
   std::vector<RunPair> pairs;        ///< to begin with

@@ -40,8 +40,8 @@ struct Cover {
 /// Which cells of a cover are uncovered: in each row, and in every 2, 4, 8 ... rows together.
 class UncoveredRows {
  public:
-  /// Unites rows in O(cells log(rows) / 64). `memory` must outlive this.
-  UncoveredRows(const Cover& cover, Cancellation& cancellation, std::vector<std::uint64_t>& memory);
+  /// Unites the rows of a cover that is active, in O(cells log(rows) / 64).
+  void unite(const Cover& cover, Cancellation& cancellation);
   /// Whether no cell of these columns and rows is uncovered, the last ones included. Cells beyond
   /// the grid's right and top sides are taken for the last ones of the grid. O(words of a row).
   [[nodiscard]] bool none_in(std::int32_t left, std::int32_t bottom, std::int32_t right,
@@ -72,9 +72,10 @@ class UncoveredRows {
     return rows_[static_cast<std::size_t>(level)] + words_ * static_cast<std::size_t>(j);
   }
 
-  std::int32_t last_column_;
-  std::int32_t last_row_;
-  std::size_t words_;  ///< of a row
+  std::int32_t last_column_ = 0;
+  std::int32_t last_row_ = 0;
+  std::size_t words_ = 0;  ///< of a row
+  std::vector<std::uint64_t> memory_;
   /// Row j of level k has the uncovered cells of the 2^k rows from j on.
   std::array<const std::uint64_t*, 14> rows_{};
   static_assert(UniformGrid::kMaxSide < 1 << 14);
@@ -165,8 +166,8 @@ struct BoughtGrids {
 /// Marks the cells that translates cover. There are about `segments` segments, which need not be
 /// listed yet. `price` is what they take with the cover as it is, in words moved. The grid is finer
 /// than those that were bought before, and as fine as it can be for small shares of that price.
-/// The cover is not active if these cover nothing. Returns false, and leaves the cover as it was,
-/// if no grid is that cheap.
+/// The cover is not active if no cell is marked. Returns false, and leaves the cover as it was, if
+/// no grid is that cheap.
 [[nodiscard]] bool cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
                                  Cancellation& cancellation, CoverScratch& scratch,
                                  BoughtGrids& bought, Cover& cover);

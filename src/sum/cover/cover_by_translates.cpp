@@ -104,6 +104,8 @@ class Rasteriser {
         if (walk.passes(j + 0.5)) flip(inside, walk.column_at(j + 0.5));
         continue;
       }
+      // All inner rows at once. Steps round by far less than the slack, and the middle of a span is
+      // where the edge crosses the centre line.
       double left = span.x0 - kMargin - UniformGrid::kSlack;
       double right = span.x1 + kMargin + UniformGrid::kSlack;
       for (;; ++j) {

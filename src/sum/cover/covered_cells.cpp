@@ -17,17 +17,16 @@ std::uint64_t Cover::covered_count() const {
   return count;
 }
 
-UncoveredRows::UncoveredRows(const Cover& cover, Cancellation& cancellation,
-                             std::vector<std::uint64_t>& memory)
-    : last_column_(cover.grid.columns - 1),
-      last_row_(cover.grid.rows - 1),
-      words_(cover.covered.words_per_row()) {
+void UncoveredRows::unite(const Cover& cover, Cancellation& cancellation) {
+  last_column_ = cover.grid.columns - 1;
+  last_row_ = cover.grid.rows - 1;
+  words_ = cover.covered.words_per_row();
   const auto rows = static_cast<std::size_t>(cover.grid.rows);
   const auto levels = static_cast<std::size_t>(std::bit_width(rows));
   // Level k has 2^k - 1 rows fewer than the first one.
   const std::size_t all = (rows + 1) * levels + 1 - (std::size_t{1} << levels);
-  resize_in_pieces(memory, words_ * all, cancellation);
-  std::uint64_t* to = memory.data();
+  resize_in_pieces(memory_, words_ * all, cancellation);
+  std::uint64_t* to = memory_.data();
   rows_[0] = to;
   for (const std::uint64_t covered : cover.covered.words()) *to++ = ~covered;
   for (std::size_t level = 1; level < levels; ++level) {

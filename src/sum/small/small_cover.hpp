@@ -23,8 +23,8 @@ void link_rings(const SmallOperand& operand, bool with_holes, SmallLinks& links)
 struct SmallCover {
   Cover cover;
   CoverScratch scratch;
-  std::array<SmallLinks, 2> links;       ///< of both operands
-  std::vector<std::uint64_t> uncovered;  ///< memory for `UncoveredRows`
+  std::array<SmallLinks, 2> links;  ///< of both operands
+  UncoveredRows uncovered;          ///< of the cover, while hidden segments are dropped
   BoughtGrids bought;
   double crossings;  ///< about how many each segment has, or 0
 };

@@ -106,9 +106,9 @@ void drop_copies(const SmallOperand& p, double width, SmallSegments& s) {
   s.size = kept;
 }
 
-void drop_hidden(const Cover& cover, std::vector<std::uint64_t>& memory, SmallSegments& s) {
+void drop_hidden(const Cover& cover, UncoveredRows& uncovered, SmallSegments& s) {
   Cancellation never;
-  const UncoveredRows uncovered(cover, never, memory);
+  uncovered.unite(cover, never);
   keep_if(s, [&](const Line& line) { return !is_hidden(cover, uncovered, line); });
 }
 

@@ -147,8 +147,8 @@ struct SmallSegments : SegmentRows {
 /// first. `width` is the larger extent of the sum.
 void drop_copies(const SmallOperand& p, double width, SmallSegments& segments);
 
-/// Leaves out the segments that touch no uncovered cell. `memory` is for `UncoveredRows`.
-void drop_hidden(const Cover& cover, std::vector<std::uint64_t>& memory, SmallSegments& segments);
+/// Leaves out the segments that touch no uncovered cell. `uncovered` is memory.
+void drop_hidden(const Cover& cover, UncoveredRows& uncovered, SmallSegments& segments);
 
 /// A sample of the segments that touch an uncovered cell.
 struct SmallSample {

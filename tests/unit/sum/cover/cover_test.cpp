@@ -262,9 +262,9 @@ TEST(Cover, UncoveredRowsTellCoveredBoxes) {
       if (below(300) != 0) cover.covered.set(i, j);
     }
   }
-  std::vector<std::uint64_t> memory;
   Cancellation never;
-  const UncoveredRows uncovered(cover, never, memory);
+  UncoveredRows uncovered;
+  uncovered.unite(cover, never);
   int covered_boxes = 0;
   int crossing_words = 0;
   for (int box = 0; box < 4000; ++box) {

@@ -50,13 +50,13 @@ std::vector<Line> list_random(test::Random& random, const Cover& cover, SmallSeg
 TEST(SmallSegments, ThoseInTheCoverAreDropped) {
   test::Random random(1);
   const auto s = std::make_unique_for_overwrite<SmallSegments>();
-  std::vector<std::uint64_t> memory;
+  UncoveredRows uncovered;
   std::uint32_t hidden = 0;
   std::uint32_t seen = 0;
   for (int round = 0; round < 20; ++round) {
     const Cover cover = random_cover(random);
     const std::vector<Line> visible = list_random(random, cover, *s);
-    drop_hidden(cover, memory, *s);
+    drop_hidden(cover, uncovered, *s);
     ASSERT_EQ(s->size, visible.size());
     ASSERT_EQ(s->size + s->left_out, 500U);
     for (std::uint32_t i = 0; i < s->size; ++i) {
