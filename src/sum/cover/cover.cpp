@@ -5,11 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "sum/cover/first_grid.hpp"
+
 namespace minksum {
 namespace {
-
-constexpr int kMaxSide = 4096;
-static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
 
 // Prices are in words moved; moving a word takes some 0.14 ns. The prices from `kSegment` to
 // `kLeastInCells`, without `kNearPairUnderCover`, were chosen among some twenty sets, by what 220
@@ -34,14 +33,6 @@ constexpr double kRational = 4;
 /// Looking takes 400 instructions for each segment of the sample: it is placed, walked along its
 /// rows, and tried at some points.
 constexpr double kLookAtSegment = 170;
-// Rasters, by least squares over 240 pairs on three grids each: 14 ns for an edge, 4.5 ns for each
-// row of cells that it passes, 0.3 ns for each column, and 4 ns for a word of a bitmap. Covers, and
-// tables of their rows, take about as long for a word. A cell has a number in the arrangement.
-constexpr double kEdge = 100;
-constexpr double kRowOfEdge = 30;
-constexpr double kColumnOfEdge = 2;
-constexpr double kWordOfBitmap = 60;
-constexpr double kCell = 1;
 constexpr double kRowOfParallelogram = 27;
 /// Both rasters have four times as many words on the next grid, so hardly fewer are moved. Mostly 8
 /// times as many are, but how many is known before they are paid.
@@ -57,52 +48,6 @@ constexpr double kMostOfWhatIsLeft = 0.25;
 /// when none were tried again on finer grids.
 constexpr double kMostInVain = 0.05;
 constexpr double kWorthIt = 0.8;
-
-/// Chooses the cells along the longer side of the first grid. `GridBuyer` doubles them. Moving
-/// bitmaps of s cells a side costs in proportion to s^3. The share of segments that stay visible is
-/// in proportion to 1 / s. The total cost is least where s^4 is in proportion to all segments.
-int choose_side(std::uint64_t segments) {
-  const double side = 12 * std::sqrt(std::sqrt(static_cast<double>(segments)));
-  return std::min(static_cast<int>(side), kMaxSide);
-}
-
-UniformGrid grid_of(const EdgesOfOperands& edges, int side) {
-  const Vec<double> extent = sum_extent(edges);
-  return UniformGrid::over(extent.x, extent.y, side);
-}
-
-/// No translate of the smaller operand covers a cell that is larger than that operand. Translates
-/// of the other one hide few segments with such cells, because its edges lie next to the border of
-/// each translate.
-int coarsest_useful_side(const EdgesOfOperands& edges) {
-  const auto longer = [](const Vec<double>& v) { return std::max(v.x, v.y); };
-  const double smaller = std::min(longer(edges[0].extent), longer(edges[1].extent));
-  return static_cast<int>(std::min(longer(sum_extent(edges)) / smaller, kMaxSide + 1.0));
-}
-
-/// What rasterising both operands takes.
-class PriceOfRasters {
- public:
-  explicit PriceOfRasters(const EdgesOfOperands& edges) {
-    for (const EdgesOfOperand& o : edges) {
-      edges_ += static_cast<double>(o.end - o.begin);
-      for (SiteId e = o.begin; e < o.end; ++e) {
-        rise_ += std::abs(o.y[o.next[e]] - o.y[e]);
-        run_ += std::abs(o.x[o.next[e]] - o.x[e]);
-      }
-    }
-  }
-  [[nodiscard]] double operator()(const UniformGrid& grid) const {
-    const auto words = static_cast<double>(words_per_row(grid.columns)) * (grid.rows + 3);
-    return kEdge * edges_ + (kRowOfEdge * rise_ + kColumnOfEdge * run_) * grid.inverse +
-           kWordOfBitmap * words + kCell * static_cast<double>(grid.size());
-  }
-
- private:
-  double edges_ = 0;
-  double rise_ = 0;  ///< heights of all edges together
-  double run_ = 0;   ///< widths of all edges together
-};
 
 /// Returns 32 bits, each twice.
 std::uint64_t doubled(std::uint64_t bits) {
@@ -210,13 +155,16 @@ class GridBuyer {
     double next_words = 0;
     for (bool first = true; side <= kMaxSide; side *= 2, first = false) {
       const double affordable = (helped ? kMostOfWhatIsLeft : kMostInVain) * price_of(best);
-      const UniformGrid grid = grid_of(edges_, side);
-      spent_ += look + price_of_rasters(grid);
-      if (spent_ + next_words > affordable) break;
-      const auto words = static_cast<double>(rasterise(edges_, grid, cancellation_, scratch_));
-      spent_ += words;
+      spent_ += look;
+      const double rasters = price_of_rasters(grid_of(edges_, side));
+      if (spent_ + rasters + next_words > affordable) break;
+      // Each grid after the first one inherits cells from one half as fine.
+      const Rasters bought = rasterise_from(side, first ? affordable - spent_ : 0, edges_,
+                                            price_of_rasters, cancellation_, scratch_);
+      side = bought.side;
+      spent_ += bought.spent + bought.words;
       if (spent_ > affordable) break;
-      next_words = kGrowthOfWords * words;
+      next_words = kGrowthOfWords * bought.words;
       mark(side, first);
       Visibility before = std::exchange(left_, see());
       buy_parallelograms();
@@ -318,10 +266,11 @@ bool cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
                                          coarsest_useful_side(edges));
   if (side > kMaxSide) return false;
   const PriceOfRasters price_of_rasters(edges);
-  UniformGrid grid = grid_of(edges, side);
-  double spent = bought.spent + price_of_rasters(grid);
-  if (spent > kMostOfPrice * price) return false;
-  auto words = static_cast<double>(rasterise(edges, grid, cancellation, scratch));
+  if (bought.spent + price_of_rasters(grid_of(edges, side)) > kMostOfPrice * price) return false;
+  auto [finest, spent, words] = rasterise_from(side, kMostForFiner * price - bought.spent, edges,
+                                               price_of_rasters, cancellation, scratch);
+  side = finest;
+  spent += bought.spent;
   while (2 * side <= kMaxSide) {
     const UniformGrid finer = grid_of(edges, 2 * side);
     const double more = price_of_rasters(finer);
@@ -335,12 +284,12 @@ bool cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
       break;
     }
     side *= 2;
-    grid = finer;
     words = finer_words;
   }
   bought = {side, spent};
   if (spent + words > 2 * kMostOfPrice * price) return false;
   bought.spent += words;
+  const UniformGrid grid = grid_of(edges, side);
   cover.active = words != 0;
   cover.grid = grid;
   cover.covered.reset(grid.columns, grid.rows, words_per_row(grid.columns));

@@ -1,0 +1,73 @@
+#include "sum/cover/first_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace minksum {
+
+int choose_side(std::uint64_t segments) {
+  const double side = 12 * std::sqrt(std::sqrt(static_cast<double>(segments)));
+  return std::min(static_cast<int>(side), kMaxSide);
+}
+
+UniformGrid grid_of(const EdgesOfOperands& edges, int side) {
+  const Vec<double> extent = sum_extent(edges);
+  return UniformGrid::over(extent.x, extent.y, side);
+}
+
+int coarsest_useful_side(const EdgesOfOperands& edges) {
+  const auto longer = [](const Vec<double>& v) { return std::max(v.x, v.y); };
+  const double smaller = std::min(longer(edges[0].extent), longer(edges[1].extent));
+  return static_cast<int>(std::min(longer(sum_extent(edges)) / smaller, kMaxSide + 1.0));
+}
+
+PriceOfRasters::PriceOfRasters(const EdgesOfOperands& edges) {
+  for (const EdgesOfOperand& o : edges) {
+    edges_ += static_cast<double>(o.end - o.begin);
+    for (SiteId e = o.begin; e < o.end; ++e) {
+      rise_ += std::abs(o.y[o.next[e]] - o.y[e]);
+      run_ += std::abs(o.x[o.next[e]] - o.x[e]);
+    }
+  }
+}
+
+double PriceOfRasters::operator()(const UniformGrid& grid) const {
+  // By least squares over 240 pairs on three grids each: 14 ns for an edge, 4.5 ns for each row of
+  // cells that it passes, 0.3 ns for each column, and 4 ns for a word of a bitmap. Covers, and
+  // tables of their rows, take about as long for a word. A cell has a number in the arrangement.
+  constexpr double kEdge = 100;
+  constexpr double kRowOfEdge = 30;
+  constexpr double kColumnOfEdge = 2;
+  constexpr double kWordOfBitmap = 60;
+  constexpr double kCell = 1;
+  const auto words = static_cast<double>(words_per_row(grid.columns)) * (grid.rows + 3);
+  return kEdge * edges_ + (kRowOfEdge * rise_ + kColumnOfEdge * run_) * grid.inverse +
+         kWordOfBitmap * words + kCell * static_cast<double>(grid.size());
+}
+
+Rasters rasterise_from(int side, double most, const EdgesOfOperands& edges,
+                       const PriceOfRasters& price, Cancellation& cancellation,
+                       CoverScratch& scratch) {
+  // With 1.3, 1,160 sums took 0.99 of the time that they take without finer grids. Twelve took
+  // under 0.77 of it, and none over 1.2. With 1.2 fewer gained, and with 1.5 some took 1.3 times
+  // as long.
+  constexpr double kHardlyMore = 1.3;
+  // A grid that is twice as fine moves up to eight times as many words. If they cost more than
+  // this many times the rasters, the coarse grid is cheaper, with new rasters: so for four of the
+  // 101 finer grids of 1,700 sums. With 1, or without a limit, some sums took 1.2 times as long.
+  constexpr double kMostToMove = 2;
+  const double limit = std::min(most, kHardlyMore * price(grid_of(edges, side)));
+  Rasters result{side, 0, 0};
+  while (2 * result.side <= kMaxSide && price(grid_of(edges, 2 * result.side)) <= limit) {
+    result.side *= 2;
+  }
+  for (;; result.side = side) {
+    const UniformGrid grid = grid_of(edges, result.side);
+    const double rasters = price(grid);
+    result.spent += rasters;
+    result.words = static_cast<double>(rasterise(edges, grid, cancellation, scratch));
+    if (result.side == side || result.words <= kMostToMove * rasters) return result;
+  }
+}
+
+}  // namespace minksum
