@@ -74,6 +74,8 @@ struct InfoArguments {
   io::ReadOptions limits;
   Options options;
 };
+/// No geometry is written, and no option depends on another one.
+inline void convert(const InfoArguments&) {}
 
 /// `minksum check RESULT P Q`
 struct CheckArguments {
@@ -84,6 +86,7 @@ struct CheckArguments {
   CheckOptions how;
   Options options;
 };
+inline void convert(const CheckArguments&) {}
 
 /// What operations on one or two operands share.
 struct OperandArguments : EachArguments {

@@ -39,8 +39,8 @@ struct Program {
     run_of[command.name()] = std::move(run);
   }
   /// Adds a subcommand by the function that describes its options, and the options that all
-  /// subcommands share. Before it runs, its limits are
-  /// set, and `convert` is called if its arguments need that.
+  /// subcommands share. Before it runs, its limits are set, and its arguments are converted and
+  /// checked by `convert`, which each subcommand declares for them.
   template <class Arguments>
   void add(Command (*describe)(CommandLine&, Arguments&, ProcessLimits&),
            int (*run)(const Arguments&), Arguments defaults = {}) {
@@ -57,7 +57,7 @@ struct Program {
       if constexpr (requires { arguments->options; }) arguments->options.progress = progress;
       if constexpr (requires { arguments->progress; }) arguments->progress = progress;
       if constexpr (requires { arguments->settings; }) arguments->settings = settings();
-      if constexpr (requires { convert(*arguments); }) convert(*arguments);
+      convert(*arguments);
       const int code = run(*arguments);
       StatusLine::remove();
       tell_cost();
