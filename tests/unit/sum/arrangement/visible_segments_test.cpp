@@ -24,7 +24,7 @@ namespace {
 using test::Random;
 
 /// Runs the stages up to the cover, from all segments and from a sample.
-struct Covered {
+struct CoveredSum {
   SumSettings options;
   Operands operands;
   ConvolutionScratch convolution_scratch;
@@ -33,8 +33,8 @@ struct Covered {
   CoverScratch scratch;
   Cover cover;
 
-  Covered() = default;
-  Covered(const Region& p, const Region& q, int grid) {
+  CoveredSum() = default;
+  CoveredSum(const Region& p, const Region& q, int grid) {
     options.grid = grid;
     test::prepare_operands(p, q, options, operands);
     find_cover();
@@ -48,7 +48,7 @@ struct Covered {
 };
 
 /// Runs the pipeline after the cover. Crossings are looked for cell by cell, or among all pairs.
-Region sum_of(const Covered& c, const Convolution& convolution, bool by_cells) {
+Region sum_of(const CoveredSum& c, const Convolution& convolution, bool by_cells) {
   Cancellation never;
   Predicates predicates(c.operands.sites, *c.operands.kernel, c.operands.bounds, never);
   ArrangementScratch arrangement_scratch;
@@ -71,7 +71,7 @@ Region sum_of(const Covered& c, const Convolution& convolution, bool by_cells) {
 }
 
 /// Returns whether all cells of a segment's box, up to rounding, are covered.
-bool is_hidden(const Covered& c, const Segment& s) {
+bool is_hidden(const CoveredSum& c, const Segment& s) {
   const auto& [x, y, dx, dy, next] = c.operands.sites;
   const UniformGrid& grid = c.cover.grid;
   const auto range = [&](double a, double b) {
@@ -97,7 +97,7 @@ bool has_copy(const Operands& o, std::span<const Segment> segments, const Segmen
 }
 
 /// Compares the visible segments with all of them; returns how many are hidden.
-std::size_t expect_others_are_hidden(const Covered& c, const std::string& what) {
+std::size_t expect_others_are_hidden(const CoveredSum& c, const std::string& what) {
   VisibleScratch scratch;
   Cancellation never;
   const auto visible = visible_segments(c.operands, c.sample, c.cover, {}, never, scratch);
@@ -116,7 +116,7 @@ std::size_t expect_others_are_hidden(const Covered& c, const std::string& what) 
 }
 
 /// Compares for a cover that has cells and for which only a sample was listed.
-bool compare(const Covered& c, const std::string& what, std::size_t& hidden) {
+bool compare(const CoveredSum& c, const std::string& what, std::size_t& hidden) {
   EXPECT_EQ(check(c.sample, c.operands, false), std::nullopt) << what;
   const Region sum = sum_of(c, c.all, true);
   EXPECT_TRUE(sum_of(c, c.all, false) == sum) << what;
@@ -138,9 +138,9 @@ TEST(VisibleSegments, HaveNoCopiesInSumsOfEqualOperands) {
     const Region p = i % 2 == 0 ? test::random_two_opt(random, 40 + 20 * i, 1000)
                                 : test::random_with_holes(random, 40, 3);
     const Region moved = transform(p, Affine::translation(random.between(-9, 9), 1));
-    const Covered c(p, moved, 50);
+    const CoveredSum c(p, moved, 50);
     EXPECT_TRUE(c.operands.equal);
-    EXPECT_FALSE(Covered(p, transform(p, Affine::scaling(2)), 50).operands.equal);
+    EXPECT_FALSE(CoveredSum(p, transform(p, Affine::scaling(2)), 50).operands.equal);
     if (!compare(c, std::to_string(i), hidden)) continue;
     ++covers;
     VisibleScratch scratch;
@@ -168,7 +168,7 @@ TEST(VisibleSegments, AreAllThatAreNotHidden) {
                                 : test::random_two_opt(random, 10 + 4 * i, 300 + 10 * i);
     for (const int grid : {16, 50, 200}) {
       const std::string what = std::to_string(i) + " on grid " + std::to_string(grid);
-      covers += compare(Covered(p, q, grid), what, hidden) ? 1 : 0;
+      covers += compare(CoveredSum(p, q, grid), what, hidden) ? 1 : 0;
     }
   }
   EXPECT_GE(covers, 60);
@@ -182,7 +182,7 @@ TEST(VisibleSegments, OfSmallDegeneratePairs) {
   for (int i = 0; i < 1500; ++i) {
     const test::Pair pair = test::random_pair(random);
     if (pair.p.empty() || pair.q.empty()) continue;
-    covers += compare(Covered(pair.p, pair.q, 30), pair.kind, hidden) ? 1 : 0;
+    covers += compare(CoveredSum(pair.p, pair.q, 30), pair.kind, hidden) ? 1 : 0;
   }
   EXPECT_GE(covers, 500);
   EXPECT_GE(hidden, 1000U);
@@ -190,14 +190,14 @@ TEST(VisibleSegments, OfSmallDegeneratePairs) {
 
 /// Each operand's square fits into the other's hole, so both holes stay, but they never meet.
 TEST(VisibleSegments, OfTwoWithHoles) {
-  const Region p = test::make_region(
-      {{{{0, 0}, {60, 0}, {61, 62}, {1, 60}}, {{2, 2}, {3, 12}, {4, 4}, {12, 3}}},
-       {{{70, 0}, {71, 1}, {70, 2}}}});
-  const Region q = test::make_region(
-      {{{{0, 0}, {50, 1}, {51, 50}, {1, 49}}, {{2, 3}, {2, 13}, {4, 5}, {13, 3}}},
-       {{{60, 0}, {61, 1}, {60, 2}}}});
+  const Region p =
+      test::make_region({{{{0, 0}, {60, 0}, {61, 62}, {1, 60}}, {{2, 2}, {3, 12}, {4, 4}, {12, 3}}},
+                         {{{70, 0}, {71, 1}, {70, 2}}}});
+  const Region q =
+      test::make_region({{{{0, 0}, {50, 1}, {51, 50}, {1, 49}}, {{2, 3}, {2, 13}, {4, 5}, {13, 3}}},
+                         {{{60, 0}, {61, 1}, {60, 2}}}});
   std::size_t hidden = 0;
-  const Covered c(p, q, 20);
+  const CoveredSum c(p, q, 20);
   ASSERT_EQ(c.operands.rings.size(), 6U);
   EXPECT_TRUE(compare(c, "two with holes", hidden));
   EXPECT_GE(hidden, 1U);
@@ -208,7 +208,7 @@ TEST(VisibleSegments, AlongAPolyline) {
   std::size_t hidden = 0;
   int covers = 0;
   for (int i = 0; i < 20; ++i) {
-    Covered c;
+    CoveredSum c;
     c.options.grid = 40;
     OperandScratch scratch;
     std::array<PreparedOperand, 2> prepared;
@@ -237,7 +237,7 @@ TEST(VisibleSegments, SamplesHaveOneOfEachStep) {
   for (const int size : {3, 5, 20, 100, 300}) {
     const Region p = test::random_two_opt(random, size, 2000);
     const Region q = test::random_two_opt(random, size + 7, 2000);
-    const Covered c(p, q, 16);
+    const CoveredSum c(p, q, 16);
     for (const std::uint64_t many : {0U, 1U, 7U, 1000U, 5000U}) {
       ConvolutionScratch scratch;
       Convolution sample;
@@ -252,16 +252,16 @@ TEST(VisibleSegments, SamplesHaveOneOfEachStep) {
         const std::span first = turn.first(std::min<std::size_t>(sample.step, turn.size()));
         EXPECT_NE(std::ranges::find(first, sample.segments[i]), first.end()) << many << ": " << i;
       }
-      EXPECT_TRUE(sample.step <= 2 || (sample.segments.size() >= kSample &&
-                                       sample.segments.size() < 2 * kSample));
+      EXPECT_TRUE(sample.step <= 2 ||
+                  (sample.segments.size() >= kSample && sample.segments.size() < 2 * kSample));
     }
   }
 }
 
 TEST(VisibleSegments, TooManyAreAnError) {
   Random random(15);
-  const Covered c(test::random_two_opt(random, 100, 1000), test::random_two_opt(random, 100, 1000),
-                  50);
+  const CoveredSum c(test::random_two_opt(random, 100, 1000),
+                     test::random_two_opt(random, 100, 1000), 50);
   ASSERT_FALSE(c.sample.listed());
   VisibleScratch scratch;
   Limits limits;
@@ -273,8 +273,8 @@ TEST(VisibleSegments, TooManyAreAnError) {
 
 TEST(VisibleSegments, CanBeStopped) {
   Random random(16);
-  const Covered c(test::random_two_opt(random, 400, 3000),
-                  test::random_star_shaped(random, 3000, 9000), 400);
+  const CoveredSum c(test::random_two_opt(random, 400, 3000),
+                     test::random_star_shaped(random, 3000, 9000), 400);
   ASSERT_FALSE(c.sample.listed());
   VisibleScratch scratch;
   int asked = 0;
