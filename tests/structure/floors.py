@@ -312,9 +312,10 @@ to their end. This page and its picture are written by that test's script:
 |---|---|---|---|
 {table}
 
-Beside the house lie `include/minksum`, the public headers, which every room may include; `tests`,
-whose `unit` folder has the same rooms; `bench`; `examples`; `js`, the package for JavaScript, which
-calls the C interface as WebAssembly; and `web`, a page that uses it.
+Beside the house lie `include/minksum`, the public headers, which every room may include;
+`include/minksum_c.h`, the C interface, which room `c` implements; `tests`, whose `unit` folder has
+the same rooms; `bench`; `examples`; `js`, the package for JavaScript, which calls the C interface
+as WebAssembly; and `web`, a page that uses it.
 
 ## Rules beside the floors
 
