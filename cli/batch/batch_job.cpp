@@ -6,6 +6,7 @@
 
 #include "minksum/version.hpp"
 #include "output/json_members.hpp"
+#include "output/result_file.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
@@ -110,14 +111,18 @@ std::vector<OptionText> parse_options(std::string_view text) {
 // An operand with its name in messages.
 struct NamedOperand {
   Geometry geometry;
+  io::SourceInfo source;
   std::string name;
 };
 
 NamedOperand read(std::string_view value, const char* name, const std::string& folder,
                   const io::ReadOptions& limits) {
-  const auto read_text = [&](std::string_view text) -> NamedOperand {
+  const auto named = [](io::Document document, std::string shown) -> NamedOperand {
+    return {std::move(document.geometry), std::move(document.source), std::move(shown)};
+  };
+  const auto read_text = [&](std::string_view text) {
     try {
-      return {io::read_geometry(text, limits), name};
+      return named(io::read_document(text, limits), name);
     } catch (const Error& error) {
       if (error.code() == ErrorCode::kCancelled) throw;
       throw failure_of(error, name);
@@ -131,7 +136,7 @@ NamedOperand read(std::string_view value, const char* name, const std::string& f
       throw Failure(kBadInput, *path + ": is no file; jobs read no pipes, devices, and folders");
     }
     try {
-      return {io::read_geometry_file(file, limits), *path};
+      return named(io::read_document_file(file, limits), *path);
     } catch (const Error& error) {
       if (error.code() == ErrorCode::kCancelled) throw;
       throw failure_of(error, *path);
@@ -279,6 +284,7 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
     if (operation.operands == 2 && job.b.empty()) throw usage("the job has no 'b'");
     if (operation.operands == 1 && !job.b.empty()) throw usage(job.operation + " has no 'b'");
     const NamedOperand b = job.b.empty() ? NamedOperand{} : read(job.b, "b", folder_, limits);
+    worker.system = in_system_of({}, {a.source, b.source}, {a.name, b.name});
     if (!operation.note.empty()) notes = to_json(operation.note);
     for (const NamedOperand* const operand : {&a, &b}) {
       const auto reading =

@@ -129,15 +129,22 @@ int threads_or_all(int threads) {
 void run_in_order(int threads, const Work& work) {
   Pool pool(threads);
   bool more = true;
+  std::exception_ptr no_more;  // why `next` gave no task
   while (more || !pool.idle()) {
     while (more && pool.has_room() && (pool.idle() || work.is_at_hand())) {
-      std::optional<Task> task = work.next();
+      std::optional<Task> task;
+      try {
+        task = work.next();
+      } catch (...) {
+        no_more = std::current_exception();
+      }
       more = task.has_value();
       if (task) pool.add(std::move(*task));
       if (!pool.idle() && pool.first_is_done()) break;
     }
     if (!pool.idle()) work.consume(pool.take());
   }
+  if (no_more) std::rethrow_exception(no_more);
 }
 
 }  // namespace minksum::cli

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "minksum/io.hpp"
 #include "minksum/minkowski_sum.hpp"
 
 namespace minksum::cli {
@@ -18,7 +19,8 @@ struct ReadyOperation;
 /// Keeps what one thread reuses from task to task.
 struct Worker {
   Workspace memory;
-  Geometry geometry;  ///< the last result, where its memory is worth keeping
+  Geometry geometry;       ///< the last result, where its memory is worth keeping
+  io::Coordinates system;  ///< the reference system of the job's operands
   /// Operations with their options, by the text of a job that asks for them.
   std::map<std::string, std::shared_ptr<const ReadyOperation>> ready;
 };
@@ -53,7 +55,7 @@ struct Work {
 ///
 /// At any time, at most 64 tasks for each thread, or fewer if they are large, have come from `next`
 /// and not yet gone to `consume`. That bounds the memory. An exception of a task or function ends
-/// the run and is rethrown.
+/// the run and is rethrown; of `next`, once the tasks before it are done and consumed.
 void run_in_order(int threads, const Work& work);
 
 }  // namespace minksum::cli

@@ -73,10 +73,14 @@ Arguments parsed(Parser& parser, ProcessLimits& limits, auto describe, Arguments
 template <class Arguments>
 Made made(const Arguments& arguments, auto answer) {
   return {arguments.options.fill,
-          [arguments, answer](const Geometry& a, const Geometry& b, const Cancel& cancel, Worker&) {
+          [arguments, answer](const Geometry& a, const Geometry& b, const Cancel& cancel,
+                              Worker& worker) {
             Arguments mine = arguments;
             mine.options.cancel = cancel;
-            if constexpr (std::is_base_of_v<ResultArguments, Arguments>) mine.cancel = cancel;
+            if constexpr (std::is_base_of_v<ResultArguments, Arguments>) {
+              mine.cancel = cancel;
+              set_system(mine.coordinates, worker.system);
+            }
             return answer(mine, a, b);
           },
           {}};
@@ -98,6 +102,7 @@ Made make_sum(Parser& parser, ProcessLimits& limits) {
                                       Worker& worker) {
     ResultArguments rounding = arguments;
     rounding.cancel = cancel;
+    set_system(rounding.coordinates, worker.system);
     SumSettings settings = arguments.options;
     settings.cancel = cancel;
     settings.memory = &worker.memory;

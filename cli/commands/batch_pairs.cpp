@@ -39,6 +39,7 @@ struct Parts {
   std::vector<Part> parts;
   std::vector<PartialTurn> turns;
   Digest digest;
+  io::Coordinates system;  ///< as results are written, with the reference system of all parts
 
   [[nodiscard]] std::uint64_t pairs() const { return parts.size() * parts.size() * turns.size(); }
 };
@@ -50,8 +51,7 @@ std::vector<fs::path> files_in(const std::string& folder) {
     const std::string ending = at->path().extension().string();
     const bool readable = ending == ".wkt" || ending == ".geojson" || ending == ".json" ||
                           ending == ".poly" || ending == ".dat";
-    std::error_code ignored;
-    if (readable && at->is_regular_file(ignored)) files.push_back(at->path());
+    if (readable) files.push_back(at->path());
   }
   if (error) throw Failure(kBadInput, folder + ": cannot be read: " + error.message());
   if (files.empty()) {
@@ -100,12 +100,20 @@ Parts load(const BatchArguments& arguments) {
   for (int k = 0; k < arguments.rotations; ++k) {
     parts.turns.push_back(turn_by(k, arguments.rotations));
   }
+  io::SourceInfo source;  // of the first part that names a reference system
+  std::string named_by;
   for (const fs::path& file : files_in(arguments.pairs)) {
     try {
       const std::string text = io::load_text(file.string(), arguments.limits.read);
       parts.digest.add(file.filename().string()).add(text);
-      parts.parts.push_back(
-          prepare(arguments, file, io::read_geometry(text, arguments.limits.read), parts.turns));
+      const io::Document part = io::read_document(text, arguments.limits.read);
+      parts.system =
+          in_system_of(arguments.coordinates, {source, part.source}, {named_by, file.string()});
+      if (named_by.empty() && (parts.system.srid || !parts.system.crs.empty())) {
+        source = part.source;
+        named_by = file.string();
+      }
+      parts.parts.push_back(prepare(arguments, file, part.geometry, parts.turns));
     } catch (const Error& error) {
       throw failure_of(error, file.string());
     }
@@ -201,7 +209,7 @@ class PairRunner {
     NoFitArguments no_fit = no_fit_;
     no_fit.cancel = cancel;
     const Geometry shown = rounded_fit_polygon(no_fit, worker.geometry);
-    return "\"result\":" + geometry_json(shown, arguments_.format, arguments_.coordinates);
+    return "\"result\":" + geometry_json(shown, arguments_.format, parts_.system);
   }
 
   const BatchArguments& arguments_;

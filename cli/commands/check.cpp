@@ -2,6 +2,7 @@
 #include "minksum/check.hpp"
 
 #include <ostream>
+#include <utility>
 
 #include "commands/commands.hpp"
 #include "commands/subcommands.hpp"
@@ -12,6 +13,7 @@
 #include "output/json.hpp"
 #include "output/numbers.hpp"
 #include "output/output_file.hpp"
+#include "output/result_file.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
@@ -118,14 +120,22 @@ Command describe_check(CommandLine& line, CheckArguments& arguments, ProcessLimi
 }
 
 int run_check(const CheckArguments& arguments) {
+  const auto& [p, q] = arguments.operands;
   const auto read = [&arguments](const std::string& file) {
-    return read_operand(file, arguments.limits, arguments.options.fill).geometry;
+    return read_operand(file, arguments.limits, arguments.options.fill);
   };
-  const Geometry result = read_operand(arguments.result, arguments.limits).geometry;
-  const Geometry operands[2] = {read(arguments.operands[0]), read(arguments.operands[1])};
+  const io::Document result = read_operand(arguments.result, arguments.limits);
+  const io::Document operands[2] = {read(p), read(q)};
+  // Numbers of two reference systems do not fit together.
+  for (const auto& [operand, file] : {std::pair(&operands[0], &p), std::pair(&operands[1], &q)}) {
+    static_cast<void>(
+        in_system_of({}, {result.source, operand->source}, {arguments.result, *file}));
+  }
+  static_cast<void>(in_system_of({}, {operands[0].source, operands[1].source}, {p, q}));
   SumCheck check;
   try {
-    check = check_sum(result, operands[0], operands[1], arguments.how, arguments.options);
+    check = check_sum(result.geometry, operands[0].geometry, operands[1].geometry, arguments.how,
+                      arguments.options);
   } catch (const Error& error) {
     fail_about(error, arguments.operands);
   }
@@ -135,6 +145,13 @@ int run_check(const CheckArguments& arguments) {
 }
 
 }  // namespace
+
+void convert(const CheckArguments& arguments) {
+  const auto& [p, q] = arguments.operands;
+  if ((arguments.result == "-") + (p == "-") + (q == "-") > 1) {
+    throw Failure(kWrongUsage, "only one file can be standard input");
+  }
+}
 
 void add_check(Program& program) { program.add(describe_check, run_check); }
 

@@ -86,7 +86,7 @@ struct CheckArguments {
   CheckOptions how;
   Options options;
 };
-inline void convert(const CheckArguments&) {}
+void convert(const CheckArguments& arguments);
 
 /// What operations on one or two operands share.
 struct OperandArguments : EachArguments {

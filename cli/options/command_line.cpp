@@ -118,7 +118,16 @@ Option Option::required() const {
 }
 
 Option Option::type_name(const char* name) const {
-  if (option_ != nullptr) option_->type_name(name);
+  if (option_ == nullptr) return *this;
+  option_->type_name(name);
+  // The name of an unset variable is no file, and not standard output either.
+  if (name == std::string_view("FILE") || name == std::string_view("DIR")) {
+    option_->check(CLI::Validator(
+        [](const std::string& text) -> std::string {
+          return text.empty() ? "needs a name, not an empty text" : "";
+        },
+        ""));
+  }
   return *this;
 }
 

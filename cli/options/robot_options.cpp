@@ -4,7 +4,9 @@
 
 #include "options/sum_options.hpp"
 #include "options/typed_numbers.hpp"
+#include "output/result_file.hpp"
 #include "process/failure.hpp"
+#include "process/telling.hpp"
 
 namespace minksum::cli {
 
@@ -43,8 +45,14 @@ std::size_t parse_angles(const std::string& text) {
 
 RobotScene read_scene(const RobotArguments& arguments, ConfigurationOptions& setting) {
   const FillRule fill = arguments.options.fill;
-  RobotScene scene{read_operand(arguments.operands[0], arguments.limits, fill).geometry,
-                   read_operand(arguments.operands[1], arguments.limits, fill).geometry};
+  io::Document robot = read_operand(arguments.operands[0], arguments.limits, fill);
+  io::Document obstacles = read_operand(arguments.operands[1], arguments.limits, fill);
+  const io::Coordinates system =
+      in_system_of({}, {robot.source, obstacles.source}, arguments.operands);
+  if (system.srid || !system.crs.empty()) {
+    note("the reference system of the operands is not named in the result");
+  }
+  RobotScene scene{std::move(robot.geometry), std::move(obstacles.geometry)};
   if (!arguments.workspace.empty()) {
     setting.workspace = read_operand(arguments.workspace, arguments.limits, fill).geometry;
   }

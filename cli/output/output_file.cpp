@@ -190,26 +190,33 @@ fs::path real_place(const std::string& path) {
 }
 
 void OutputFiles::refuse_twice(const std::string& name, const std::string& path) {
+  if (is_standard_output(path)) return;
   const auto refuse = [&](const std::string& other) {
-    throw Failure(kWrongUsage, other + " and " + name + " are the same file" +
-                                   (is_standard_output(path) ? "" : ": " + path));
+    throw Failure(kWrongUsage, other + " and " + name + " are the same file: " + path);
   };
   struct stat status {};
-  const bool standard = is_standard_output(path);
-  const bool there = standard ? ::fstat(STDOUT_FILENO, &status) == 0 : find(path, status);
+  const bool there = find(path, status);
   if (there && !S_ISREG(status.st_mode)) return;
-  if (!standard) {
-    const auto [known, added] = names_by_place_.emplace(real_place(path), name);
-    if (!added) refuse(known->second);
-  }
-  if (!there) return;
-  const auto [known, added] =
-      names_by_identity_.emplace(Identity{status.st_dev, status.st_ino}, name);
+  const auto [known, added] = names_by_place_.emplace(real_place(path), name);
   if (!added) refuse(known->second);
+  if (!there) return;
+  // Such a file would be replaced, with all that others have written or go on writing to it.
+  for (const auto& [descriptor, stream] :
+       {std::pair{STDOUT_FILENO, "standard output"}, std::pair{STDERR_FILENO, "standard error"}}) {
+    struct stat open {};
+    if (::fstat(descriptor, &open) == 0 && open.st_dev == status.st_dev &&
+        open.st_ino == status.st_ino) {
+      throw Failure(kWrongUsage, name + " is the file that " + stream + " goes to: " + path +
+                                     "; name another file");
+    }
+  }
+  const auto [other, is_new] =
+      names_by_identity_.emplace(Identity{status.st_dev, status.st_ino}, name);
+  if (!is_new) refuse(other->second);
 }
 
 void OutputFiles::expect(const std::string& name, const std::string& path) {
-  refuse_twice(is_standard_output(path) ? "standard output" : name, path);
+  refuse_twice(name, path);
   if (!is_standard_output(path)) check_writable(path);
 }
 

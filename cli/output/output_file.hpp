@@ -22,8 +22,9 @@ class OutputFiles {
   /// path is that of a file, or is empty or "-" for standard output.
   ///
   /// Throws a Failure if the file probably cannot be written, so that nobody waits for a result in
-  /// vain. Throws one for wrong usage if the same file was registered before, by whatever path.
-  /// Devices and pipes may be registered twice, because they lose nothing.
+  /// vain. Throws one for wrong usage if the same file was registered before, by whatever path, or
+  /// if standard output or standard error goes to it. Devices and pipes may be registered twice,
+  /// because they lose nothing.
   void expect(const std::string& name, const std::string& path);
   /// Registers an output whose name the program chose, in a folder that the user named. The user
   /// did not ask for a link, a device or a pipe of that name, so this throws a Failure for one.

@@ -36,6 +36,11 @@ io::Coordinates in_system_of(const io::Coordinates& coordinates, const io::Sourc
   return with;
 }
 
+void set_system(io::Coordinates& coordinates, const io::Coordinates& system) {
+  coordinates.srid = system.srid;
+  coordinates.crs = system.crs;
+}
+
 void note_lost_system(const io::Coordinates& coordinates, io::Format format) {
   using enum io::Format;
   const bool has_place =

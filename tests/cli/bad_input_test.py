@@ -235,7 +235,7 @@ class BadInput(ProgramTest):
         square = self.file("square.wkt", SQUARE)
         self.fails(2, "Is a directory", "sum", self.folder, square)
         self.fails(2, "No such file", "sum", square, self.folder / "none.wkt")
-        self.fails(2, "No such file", "sum", square, "")
+        self.fails(1, "Q: needs a name, not an empty text", "sum", square, "")
         self.fails(2, "empty", "sum", square, "/dev/null")
 
     def test_the_table_is_long_enough(self):

@@ -154,6 +154,19 @@ class Jobs(BatchTest):
         given = self.one(operation="convert", a=table, options={"column": "b"})
         self.assertEqual(given["result"]["wkt"], "POINT (3 4)")
 
+    def test_reference_systems(self):
+        here, there = wkt("SRID=4326;POINT (1 2)"), wkt("SRID=3857;POINT (1 2)")
+        for operation, options in (("sum", {}), ("sum", {"tight": True}), ("union", {})):
+            given = self.one(operation=operation, a=wkt("POINT (0 0)"), b=here, options=options)
+            self.assertTrue(given["result"]["wkt"].startswith("SRID=4326;"))
+            error = self.one(2, operation=operation, a=here, b=there, options=options)["error"]
+            self.assertEqual(error["message"], "b: the reference system EPSG:3857 differs from "
+                             "EPSG:4326 of a; transform one of them first")
+        given = self.one(operation="convert", a=here, options={"format": "geojson"})
+        self.assertIn("4326", given["result"]["crs"]["properties"]["name"])
+        self.assertEqual(self.one(operation="convert", a=wkt("POINT (1 2)"))["result"]["wkt"],
+                         "POINT (1 2)")
+
     def test_answers_of_nfp(self):
         given = self.one(operation="nfp", a="slit.wkt", b="square.wkt",
                          options={"at": [[2, 2.5], "-3,0", [1.5, 2]], "reference": [0, 0]})
@@ -663,6 +676,16 @@ class Pairs(BatchTest):
     def pairs(self, *options):
         return [json.loads(line) for line in
                 self.fine("batch", "--pairs", self.parts, *options).splitlines()]
+
+    def test_parts_that_do_not_fit(self):
+        (self.parts / "e.wkt").write_text("SRID=4326;" + FRAME)
+        self.assertTrue(all(r["result"]["wkt"].startswith("SRID=4326;") for r in self.pairs()))
+        (self.parts / "f.wkt").write_text("SRID=3857;" + FRAME)
+        self.fails(2, "the reference system EPSG:3857 differs from EPSG:4326", "batch", "--pairs",
+                   self.parts)
+        (self.parts / "f.wkt").unlink()
+        (self.parts / "f.wkt").symlink_to("nowhere")
+        self.fails(2, "f.wkt: cannot be read", "batch", "--pairs", self.parts)
 
     # Each result equals that of `minksum nfp` for a file with the second part turned.
     def test_same_as_nfp(self):

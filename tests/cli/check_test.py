@@ -24,6 +24,13 @@ class Check(ProgramTest):
         text = self.fine("check", self.sum, self.p, self.q)
         self.assertEqual(text.splitlines()[-1], "verdict   no error found")
 
+    def test_operands_that_do_not_fit(self):
+        for words in (("-", "-", self.q), ("-", self.p, "-"), (self.p, "-", "-")):
+            self.fails(1, "only one file can be standard input", "check", *words)
+        here, there = "SRID=4326;POINT (0 0)", "SRID=3857;POINT (0 0)"
+        for words in ((here, there, self.q), (here, self.p, there), (self.p, here, there)):
+            self.fails(2, "the reference system EPSG:3857 differs from EPSG:4326", "check", *words)
+
     def test_a_lost_hole(self):
         text = self.sum.read_text()
         filled = self.file("filled.wkt", text[:text.index("), (")] + "))")

@@ -119,6 +119,16 @@ class Each(ProgramTest):
             text = (self.folder / "out.wkt").read_text() if more else done.stdout.decode()
             self.assertEqual(text.count("\n"), 2)
 
+    def test_features_before_a_malformed_one_have_results(self):
+        texts = [f"POINT ({i} 1)\n" for i in range(40)] + ["POINT (1 x)\n", "POINT (1 1)\n"]
+        points = self.file("points.wkt", "".join(texts))
+        for threads in (1, 2, 2, 8):
+            done = run("sum", points, "box:1x1", "--each", "--threads", threads)
+            self.assertEqual((done.returncode, done.stdout.count(b"\n")), (2, 40))
+            self.assertIn(b"points.wkt:41:10: geometry 41: expected a number", done.stderr)
+        run("sum", points, "box:1x1", "--each", "-o", self.folder / "out.wkt")
+        self.assertEqual((self.folder / "out.wkt.partial").read_text().count("\n"), 40)
+
     def test_answers_that_are_no_geometries(self):
         boxes = self.file("boxes.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n"
                                        "POLYGON ((3 0, 4 0, 4 1, 3 1, 3 0))\n")

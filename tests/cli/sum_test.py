@@ -394,9 +394,26 @@ class Files(ProgramTest):
     def test_standard_output_is_a_file_too(self):
         shown = self.file("shown", "")
         for command in (["sum", self.p, self.p], ["depth", self.p, self.p]):
-            self.fails(1, "standard output and --svg are the same file", *command, "--svg", shown,
+            self.fails(1, "--svg is the file that standard output goes to", *command, "--svg", shown,
                        before=lambda: os.dup2(os.open(shown, os.O_WRONLY), 1))
         self.assertEqual(shown.read_text(), "")
+
+    def test_a_file_that_others_write_to_stays(self):
+        log = self.file("log", "earlier line\n")
+        for stream, options in ((1, ["-o", "/dev/stdout"]), (1, ["-o", log]),
+                                (1, ["-o", "x.wkt", "--stats", "/dev/stdout"]),
+                                (2, ["--stats", "/dev/stderr"])):
+            done = run("sum", self.p, self.p, *options, cwd=self.folder, before=lambda s=stream:
+                       os.dup2(os.open(log, os.O_WRONLY | os.O_APPEND), s))
+            self.assertEqual(done.returncode, 1, options)
+            self.assertTrue(log.read_text().startswith("earlier line\n"), options)
+        self.assertFalse((self.folder / "x.wkt").exists())
+        self.assertIn("--stats is the file that standard error goes to", log.read_text())
+
+    def test_an_empty_name_is_no_file(self):
+        for words in (["-o", ""], ["--stats", ""], ["--svg", ""], ["--trace", ""]):
+            self.fails(1, "needs a name, not an empty text", "sum", self.p, self.p, *words)
+        self.fails(1, "P: needs a name, not an empty text", "sum", "", self.p)
 
     def test_devices_may_be_named_twice(self):
         self.fine("sum", self.p, self.p, "-o", "/dev/null", "--svg", "/dev/null", "--stats",
