@@ -48,7 +48,8 @@ struct Statistics {
   std::uint64_t by_arbitrary = 0;           ///< decisions by numbers of any size
 
   double seconds = 0;                       ///< time of the whole call
-  double stage_seconds[kSumStages] = {};    ///< time of each Stage; 0 for sums without stages
+  /// Time of each Stage. Without stages, only kOperands has some, if an operand had to be prepared.
+  double stage_seconds[kSumStages] = {};
 };
 
 /// Keeps memory from call to call, so that later sums allocate less. One thread at a time may use a
@@ -119,7 +120,8 @@ enum class Detail {
 };
 
 /// Returns P ⊕ Q with statistics, and with tight places and a trace if these are asked for. The
-/// computation takes the same steps as minkowski_sum. Regions must be valid. Complexity and errors
+/// computation takes the same steps as minkowski_sum, but small operands take the stages if tight
+/// places or a trace are asked for. Regions must be valid. Complexity and errors
 /// are those of minkowski_sum.
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Region& p, const Region& q,
                                                    const Options& options = {},

@@ -82,7 +82,7 @@ struct Options {
   /// How many threads an operation may use, the calling one included; 0 = one for each core. The
   /// result does not depend on it. Tables of no-fit polygons and slices of configuration spaces
   /// share their parts, each of which takes one thread. Every other operation shares the work of
-  /// its sums, where they take over some ten milliseconds. Threads end with the call.
+  /// its sums, from the first step on that takes over some 3 milliseconds. Threads end with the call.
   int threads = 1;
   FillRule fill = FillRule::kAutomatic;  ///< which points the operands' rings enclose
   /// Whether the operands' thin parts are dropped: polylines, points, and parts of rings without

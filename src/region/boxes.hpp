@@ -9,7 +9,7 @@
 
 namespace minksum {
 
-/// Makes a box large enough for a point. Nothing stands for the empty box.
+/// Enlarges a box so that it contains a point. std::nullopt is the empty box.
 void enlarge(std::optional<Box>& box, const Point& point);
 /// Returns the box around a geometry, or nothing if that is empty.
 [[nodiscard]] std::optional<Box> bounding_box(const Geometry& geometry, Cancellation& cancellation);

@@ -58,7 +58,8 @@ template <class Map>
     image.add_vertex(at.x, at.y);
   });
 }
-/// Returns the image of a geometry whose region has the given one.
+/// Returns the image of a geometry. `region` is the image of its region; `map` gives those of the
+/// other points.
 template <class Map>
 [[nodiscard]] Geometry mapped(const Geometry& geometry, Region region, Map map) {
   Geometry image{std::move(region), {}, {}};

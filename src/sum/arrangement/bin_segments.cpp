@@ -20,7 +20,7 @@ class Binner {
       : cancellation_(cancellation),
         o_(o),
         cover_(cover),
-        covers_any_(covers_any(cover)),
+        covers_any_(cover.covers_any()),
         grid_(scratch.grid),
         scratch_(scratch),
         kept_(arrangement.kept) {}

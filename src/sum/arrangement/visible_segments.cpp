@@ -54,21 +54,6 @@ class CoveredBlocks {
   }
 
  private:
-  /// Makes blocks of twice the side, each from four blocks of `side`.
-  static void unite_blocks(const Bitmap& blocks, std::int32_t side, Bitmap& greater) {
-    const std::size_t words = blocks.words_per_row();
-    greater.reset(blocks.columns(), blocks.rows(), words);
-    const auto across = [&](const std::uint64_t* row, std::size_t w) {
-      const std::uint64_t next = w + 1 < words ? row[w + 1] : 0;
-      return row[w] & ((row[w] >> side) | (next << (64 - side)));
-    };
-    for (std::int32_t j = 0; j + side < blocks.rows(); ++j) {
-      for (std::size_t w = 0; w < words; ++w) {
-        greater.row(j)[w] = across(blocks.row(j), w) & across(blocks.row(j + side), w);
-      }
-    }
-  }
-
   const UncoveredRows& uncovered_;
   std::size_t words_;
   std::int32_t last_row_;
@@ -347,12 +332,6 @@ std::span<const Segment> list_visible(const Operands& o, std::span<const Segment
 }
 
 }  // namespace
-
-bool covers_any(const Cover& cover) {
-  const auto words = cover.covered.words();
-  return cover.active &&
-         std::any_of(words.begin(), words.end(), [](std::uint64_t word) { return word != 0; });
-}
 
 std::span<const Segment> visible_segments(const Operands& operands, const Convolution& convolution,
                                           const Cover& cover, const Limits& limits,

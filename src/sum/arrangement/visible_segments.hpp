@@ -1,5 +1,5 @@
-// Finds the segments that may touch uncovered cells. If there are many segments, hidden ones are
-// dropped by runs, never one by one.
+// Finds the segments that may touch uncovered cells. If there are very many segments, pairs of runs
+// are dropped first, and only what is left of them is tested one by one.
 #pragma once
 
 #include <array>
@@ -66,9 +66,6 @@ struct VisibleScratch {
   std::vector<std::uint32_t> place;  ///< by site: where its segments are in `visible`
 };
 
-/// Whether a cover has any covered cell.
-[[nodiscard]] bool covers_any(const Cover& cover);
-
 /// Lists the segments that may touch uncovered cells of an active cover, in the convolution's
 /// order. It leaves out most of those that lie, with a margin, in covered cells. Throws
 /// Error(kLimitExceeded) if more segments are visible than `limits` allows.
@@ -80,7 +77,7 @@ struct VisibleScratch {
 /// convex vertices has their box and the directions that they meet. A run of edges and a run of
 /// vertices have only hidden segments if the sum of their boxes is covered. They have no segments
 /// if no direction is met. Otherwise the larger run is divided. So hidden segments are dropped run
-/// by run, and the work depends on the visible ones.
+/// by run, and the work depends on the visible ones. Of two leaves, each segment is tested.
 [[nodiscard]] std::span<const Segment> visible_segments(const Operands& operands,
                                                         const Convolution& convolution,
                                                         const Cover& cover, const Limits& limits,

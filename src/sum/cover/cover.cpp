@@ -12,14 +12,14 @@ namespace {
 
 // Prices are in words moved; moving a word takes some 0.14 ns. The prices from `kSegment` to
 // `kLeastInCells`, without `kNearPairUnderCover`, were chosen among some twenty sets, by what 220
-// pairs of shapes took, and compared with the prices before on 368 other pairs. Four of five of 410
-// sums took 0.67 to 2.3 times their price without cells, and four of five of 253 took 0.87 to 3.2
-// times their price in cells.
+// pairs of shapes took, and compared with the prices before on 368 other pairs. Of 410
+// sums without cells, four fifths took 0.67 to 2.3 times their price. Of 253 sums in cells, four
+// fifths took 0.87 to 3.2 times their price.
 constexpr double kSegment = 38;    ///< a segment, for each binary digit of their number
 constexpr double kNearPair = 100;  ///< two whose boxes overlap
 constexpr double kCrossing = 800;
 /// Two whose boxes overlap, if all pairs are met and points in covered cells are left out. It was
-/// chosen later. With 150 to 250, 220 sums took as long.
+/// chosen later. With any value from 150 to 250, the time of 220 sums was the same.
 constexpr double kNearPairUnderCover = 200;
 // In cells the first three take longer. Each row of cells that a segment passes has a price as
 // well, and so has every sum in cells.
@@ -138,7 +138,7 @@ class GridBuyer {
   void buy_from(int side) {
     if (is_sparse()) return;
     side = std::max(side, coarsest_useful_side(edges_));
-    if (side > kMaxSide) return;
+    if (side > kFinestSide) return;
     const PriceOfRasters price_of_rasters(edges_);
     left_ = {.share = sample_.share, .crossings = sample_.expected_crossings(operands_)};
     const double look = kLookAtSegment * std::min(static_cast<double>(sample_.lines.size()),
@@ -153,7 +153,7 @@ class GridBuyer {
     bool best_by_translates = true;
     bool helped = true;
     double next_words = 0;
-    for (bool first = true; side <= kMaxSide; side *= 2, first = false) {
+    for (bool first = true; side <= kFinestSide; side *= 2, first = false) {
       const double affordable = (helped ? kMostOfWhatIsLeft : kMostInVain) * price_of(best);
       spent_ += look;
       const double rasters = price_of_rasters(grid_of(edges_, side));
@@ -262,16 +262,16 @@ bool cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
   constexpr double kMostOfPrice = 0.15;
   constexpr double kMostForFiner = 0.1;
   int side = bought.side != 0 ? 2 * bought.side
-                              : std::max(choose_side(static_cast<std::uint64_t>(segments)),
+                              : std::max(first_side(static_cast<std::uint64_t>(segments)),
                                          coarsest_useful_side(edges));
-  if (side > kMaxSide) return false;
+  if (side > kFinestSide) return false;
   const PriceOfRasters price_of_rasters(edges);
   if (bought.spent + price_of_rasters(grid_of(edges, side)) > kMostOfPrice * price) return false;
   auto [finest, spent, words] = rasterise_from(side, kMostForFiner * price - bought.spent, edges,
                                                price_of_rasters, cancellation, scratch);
   side = finest;
   spent += bought.spent;
-  while (2 * side <= kMaxSide) {
+  while (2 * side <= kFinestSide) {
     const UniformGrid finer = grid_of(edges, 2 * side);
     const double more = price_of_rasters(finer);
     if (spent + more + kGrowthOfWords * words > kMostForFiner * price) break;
@@ -313,13 +313,13 @@ void cover_interior(const Operands& operands, const SumSettings& options,
     GridBuyer buyer(operands, convolution, cancellation, scratch, cover);
     buyer.choose_clipping();
     if (options.grid == 0) {
-      buyer.buy_from(choose_side(size));
+      buyer.buy_from(first_side(size));
     } else {
-      buyer.buy(std::min(options.grid, kMaxSide));
+      buyer.buy(std::min(options.grid, kFinestSide));
     }
   }
   cancellation.check(convolution.segments.size());
-  if (cover.covered_count() != 0) return;
+  if (cover.covers_any()) return;
   if (!convolution.listed()) {
     reduced_convolution(operands, options.limits, cancellation, scratch.convolution, convolution);
   }

@@ -32,6 +32,7 @@ struct Cover {
   bool clips = false;         ///< whether segments are to be clipped
 
   [[nodiscard]] std::uint64_t covered_count() const;
+  [[nodiscard]] bool covers_any() const { return active && covered.has_any(); }
   [[nodiscard]] bool is_covered(std::int32_t column, std::int32_t row) const {
     return active && covered.get(column, row);
   }
@@ -176,7 +177,7 @@ struct BoughtGrids {
 struct Sample {
   std::span<const Line> lines;
   double step = 1;
-  double share = 1;  ///< of the segments of the convolution: those of which clipping leaves a part
+  double share = 1;  ///< the share of the convolution's segments of which clipping leaves a part
 
   /// Estimates the number of crossings of all segments from their extents in x and y, and from how
   /// unevenly they are spread. The estimate would be the exact expectation if half of the segments
@@ -222,8 +223,8 @@ enum class Until : std::uint8_t { kCovered, kUncovered, kBoth };
 [[nodiscard]] Visibility look(const Sample& sample, const Cover& cover, Cancellation& cancellation,
                               CoverScratch& scratch);
 
-/// Returns the words of a row of each raster, and of a cover of so many columns. An operand's
-/// raster may have one column more, but all rows must be equally long.
+/// Returns how many words a row has if the cover has so many columns. Rows of both rasters and of
+/// the cover are equally long, and a raster may have one column more.
 [[nodiscard]] std::size_t words_per_row(std::int32_t columns);
 /// Rasterises both operands on cells of the grid's size. Returns how many words `spread_rasters`
 /// will move: that is known before it is paid. O(cells + n + m).
@@ -261,9 +262,9 @@ void rasterise_first(const Operands& operands, const Cover& cover, Cancellation&
 /// O(rows visited).
 void cover_by_parallelograms(Cancellation& cancellation, CoverScratch& scratch, Cover& cover);
 
-/// Sets in `block` the cells that are set in `bitmap` with their right, upper and upper right
-/// neighbours.
-void make_blocks(const Bitmap& bitmap, Bitmap& block);
+/// Makes blocks of twice the side. A block of `side` · `side` cells is one bit, that of its lower
+/// left cell; four of them that are set make a greater one.
+void unite_blocks(const Bitmap& blocks, std::int32_t side, Bitmap& greater);
 
 /// Returns what is wrong with the cover, or nothing. The cover must fit its grid. It must leave out
 /// all cells at the border of the sum's box, where the sum's boundary must be. (Tests check from

@@ -64,7 +64,7 @@ class Rasteriser {
     for (std::size_t w = 0; w < inside_.words().size(); ++w) {
       inside_.words()[w] &= ~boundary_.words()[w];
     }
-    make_blocks(inside_, raster_.blocks);
+    unite_blocks(inside_, 1, raster_.blocks);
   }
   void sample_boundary() {
     Bitmap& sampled = raster_.sampled;
@@ -310,16 +310,17 @@ void rasterise_first(const Operands& operands, const Cover& cover, Cancellation&
   rasteriser.sample_boundary();
 }
 
-void make_blocks(const Bitmap& bitmap, Bitmap& block) {
-  block.reset(bitmap.columns(), bitmap.rows(), bitmap.words_per_row());
-  const std::size_t words = bitmap.words_per_row();
-  const auto across = [&](std::int32_t j, std::size_t w) {
-    const std::uint64_t* row = bitmap.row(j);
+void unite_blocks(const Bitmap& blocks, std::int32_t side, Bitmap& greater) {
+  const std::size_t words = blocks.words_per_row();
+  greater.reset(blocks.columns(), blocks.rows(), words);
+  const auto across = [&](const std::uint64_t* row, std::size_t w) {
     const std::uint64_t next = w + 1 < words ? row[w + 1] : 0;
-    return row[w] & ((row[w] >> 1) | (next << 63));
+    return row[w] & ((row[w] >> side) | (next << (64 - side)));
   };
-  for (std::int32_t j = 0; j + 1 < bitmap.rows(); ++j) {
-    for (std::size_t w = 0; w < words; ++w) block.row(j)[w] = across(j, w) & across(j + 1, w);
+  for (std::int32_t j = 0; j + side < blocks.rows(); ++j) {
+    for (std::size_t w = 0; w < words; ++w) {
+      greater.row(j)[w] = across(blocks.row(j), w) & across(blocks.row(j + side), w);
+    }
   }
 }
 

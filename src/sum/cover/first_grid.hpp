@@ -5,18 +5,19 @@
 
 namespace minksum {
 
-inline constexpr int kMaxSide = 4096;
-static_assert(kMaxSide + 1 <= UniformGrid::kMaxSide);
+inline constexpr int kFinestSide = 4096;
+static_assert(kFinestSide + 1 <= UniformGrid::kMaxSide);
 
 /// Chooses the cells along the longer side of the first grid. Moving bitmaps of s cells a side
 /// costs in proportion to s^3. The share of segments that stay visible is in proportion to 1 / s.
 /// The total cost is least where s^4 is in proportion to all segments.
-[[nodiscard]] int choose_side(std::uint64_t segments);
+[[nodiscard]] int first_side(std::uint64_t segments);
 /// Returns the grid with so many cells along the longer side of the sum's box.
 [[nodiscard]] UniformGrid grid_of(const EdgesOfOperands& edges, int side);
-/// No translate of the smaller operand covers a cell that is larger than that operand. Translates
-/// of the other one hide few segments with such cells, because its edges lie next to the border of
-/// each translate.
+/// Returns about how many cells along the longer side are as large as the smaller operand, rounded
+/// down; at most kFinestSide + 1. No translate of the smaller operand covers a larger cell.
+/// Translates of the other one hide few segments with such cells, because its edges lie next to the
+/// border of each translate.
 [[nodiscard]] int coarsest_useful_side(const EdgesOfOperands& edges);
 
 /// What rasterising both operands takes, in words moved. Moving a word takes some 0.14 ns.
@@ -37,10 +38,11 @@ struct Rasters {
   double spent;  ///< in words moved
   double words;  ///< how many `spread_rasters` will move
 };
-/// Rasterises both operands for a grid of `side` cells along the longer side, or for one that is
-/// two, four, eight ... times as fine and hardly takes longer. (An edge has the same price on each
-/// grid. So many short ones are rasterised on fine grids in hardly more time.) The finer grid has
-/// a price of at most `most`.
+/// Rasterises both operands for a grid of `side` cells along the longer side, or for a finer one:
+/// two, four, eight ... times as fine, if it has a price of at most `most` and hardly takes longer.
+/// (An edge has the same price on each grid, so many short edges make a fine grid hardly dearer.)
+/// If a finer grid would move too many words, the coarse one is rasterised after all. Then `spent`
+/// has the price of both.
 [[nodiscard]] Rasters rasterise_from(int side, double most, const EdgesOfOperands& edges,
                                      const PriceOfRasters& price, Cancellation& cancellation,
                                      CoverScratch& scratch);

@@ -29,7 +29,7 @@ std::optional<SharedRaster> share_raster(const Operands& operands, double widest
                                          CoverScratch& scratch, Convolution& convolution) {
   Cover cover;
   cover_interior(operands, options, cancellation, scratch, convolution, cover);
-  if (!cover.by_translates || cover.covered_count() == 0) return std::nullopt;
+  if (!cover.by_translates || !cover.covers_any()) return std::nullopt;
   SharedRaster shared;
   shared.cell = cover.grid.cell * operands.trace_unit;
   if (!is_usable(shared.cell) || !is_usable(operands.trace_unit)) return std::nullopt;

@@ -22,7 +22,8 @@ struct SmallCorner {
 
 struct SmallBoundary {
   static constexpr std::size_t kMax = 2 * SmallSegments::kMax;
-  /// The ends of the rings' corners: of an outer ring, of other outer ones, and of holes.
+  /// By ring: the index behind its last corner. The ring through the smallest point comes first,
+  /// then other outer rings and holes.
   std::vector<std::uint32_t> end_of;
   /// Places at which a ring may go from one part of the sum to another one that only touches it.
   std::vector<SmallCorner> touching;
@@ -49,11 +50,11 @@ struct WalkMarks {
 /// Walks along the boundary of the unbounded face, with the sum on the left, and along all other
 /// rings of the boundary. With `kSeveral`, one operand has several polygons. May be used once.
 template <class Number, bool kSeveral>
-class OuterWalk {
+class BoundaryWalk {
  public:
-  OuterWalk(const SmallNumbers<Number>& numbers, const SmallSegments& segments,
-            const SmallMeetings& meetings, SmallPlacement& placement, WalkMarks& marks,
-            SmallBoundary& boundary)
+  BoundaryWalk(const SmallNumbers<Number>& numbers, const SmallSegments& segments,
+               const SmallMeetings& meetings, SmallPlacement& placement, WalkMarks& marks,
+               SmallBoundary& boundary)
       : s_(segments),
         m_(meetings),
         ways_(numbers, segments),
@@ -81,7 +82,7 @@ class OuterWalk {
       });
     };
     const std::uint32_t first = first_segment(starts_there);
-    if (first == kNone) return false;
+    if (first == kNoSegment) return false;
     WalkLocation place{first, {}};
     std::uint32_t taken = 0;
     do {
@@ -89,7 +90,7 @@ class OuterWalk {
       Next next;
       do {
         next = next_after(place);
-        if (next.place.segment == kNone) return false;
+        if (next.place.segment == kNoSegment) return false;
         if (next.turn >= 0) marks_.left_end_of[place.segment] = {1, 0};
         note_touch(place, next);
         place = next.place;
@@ -108,10 +109,9 @@ class OuterWalk {
   }
 
  private:
-  static constexpr std::uint32_t kNone = kNoSegment;
   /// A segment, and how much of its way has been passed.
   struct WalkLocation {
-    std::uint32_t segment = kNone;
+    std::uint32_t segment = kNoSegment;
     WayFraction<Number> passed;
   };
   /// The place at which the walk goes on, and the turn that it takes.
@@ -133,15 +133,16 @@ class OuterWalk {
   /// Returns the farthest clockwise of all segments that start at the smallest point.
   template <class StartsThere>
   [[nodiscard]] std::uint32_t first_segment(const StartsThere& starts_there) const {
-    std::uint32_t first = kNone;
+    std::uint32_t first = kNoSegment;
     for (std::uint32_t t = 0; t < s_.size; ++t) {
       if (!starts_there(t)) continue;
-      if (first == kNone || is_preferred(t, first)) first = t;
+      if (first == kNoSegment || is_preferred(t, first)) first = t;
     }
     return first;
   }
 
-  /// Returns the first ray counter-clockwise from where the walk came. It leads to the right at the
+  /// Returns the first ray counter-clockwise from where the walk came. (A ray is what lies ahead on
+  /// a segment, from a place on it.) It leads to the right at the
   /// first place that offers such a ray. Otherwise it starts at the end, as far to the right as
   /// possible.
   [[nodiscard, gnu::always_inline]] Next next_after(const WalkLocation& place) {
@@ -151,7 +152,7 @@ class OuterWalk {
     m_.for_each_right(at, [&](std::uint32_t t, std::size_t meeting) {
       const WayFraction<Number> here = ways_.crossing(at, t);
       if (!place.passed.is_start() && !ways_.less(at, place.passed, here)) return;
-      if (next.place.segment != kNone) {
+      if (next.place.segment != kNoSegment) {
         if (ways_.less(at, best, here)) return;
         if (!ways_.less(at, here, best) && !is_preferred(t, next.place.segment)) return;
       }
@@ -159,7 +160,7 @@ class OuterWalk {
       next.place.segment = t;
       next.meeting = meeting;
     });
-    if (next.place.segment == kNone) return next_at_end(at);
+    if (next.place.segment == kNoSegment) return next_at_end(at);
     next.place = leave(at, next.place.segment);
     next.turn = -1;
     return next;
@@ -172,13 +173,13 @@ class OuterWalk {
         // A segment that goes straight on comes before all that turn to the left.
         const auto passed = ways_.straight_on(t, at);
         if (!passed) return;
-        const bool is_straight = next.turn == 0 && next.place.segment != kNone;
+        const bool is_straight = next.turn == 0 && next.place.segment != kNoSegment;
         if (!is_straight || s_.is_before(next.place.segment, t)) next = {{t, *passed}, 0, 0};
         return;
       }
       const double start = ways_.start_of(t, at);
       if (ways_.end_of(t, at, start, c) == 0) return;  // t ends there
-      const bool first = next.place.segment == kNone;
+      const bool first = next.place.segment == kNoSegment;
       if (first || (next.turn != 0 && is_preferred(t, next.place.segment))) {
         next = {{t, ways_.entry(t, at, start, c)}, c, 0};
       }
@@ -218,7 +219,7 @@ class OuterWalk {
                                      std::uint32_t& taken) {
     for (;;) {
       const Next next = next_after(place);
-      if (next.place.segment == kNone) return true;
+      if (next.place.segment == kNoSegment) return true;
       if (next.turn < 0) {
         WalkMarks::Mark& turn = marks_.turn_at[next.meeting];
         if (turn.walk != 0) {
@@ -326,7 +327,7 @@ class OuterWalk {
   }
   /// A part of a segment, between two rounded fractions of its way.
   struct Piece {
-    std::uint32_t segment = kNone;
+    std::uint32_t segment = kNoSegment;
     double from = 0;
     double to = 0;
   };

@@ -15,7 +15,7 @@ namespace minksum {
 struct SmallScratch::State {
   SmallCover cover;
   SmallSegments segments;
-  SmallSegments ordered;
+  SmallSegments ordered;  ///< the segments in order, or a sample of them
   SmallOrder order;
   SmallMeetings meetings;
   WalkMarks marks;
@@ -96,10 +96,10 @@ const SmallSegments* meet(const SmallNumbers<Number>& numbers, double width,
 
 /// What a sample of the segments tells of their meetings on the right.
 struct SampledMeetings {
-  double saved;       ///< of the sample, those that whole segments have and parts do not
-  double most_saved;  ///< where more are saved, segments are clipped
-  bool are_few;       ///< whether there are few enough for a walk, at least of parts
-  double left;        ///< of all segments, or of their parts, as far as the sample was compared
+  double saved;       ///< of the sample: those that clipping saves, or all if parts have no count
+  double most_saved;  ///< segments are clipped if more than this many are saved
+  bool are_few;       ///< whether whole segments, or else their parts, have few enough for a walk
+  double left;        ///< of all segments, or of all parts; no more than the limit of the count
 };
 
 /// Compares a sample of the segments, and then of their parts if those may have fewer meetings.
@@ -127,7 +127,7 @@ SampledMeetings sample_meetings(const SmallNumbers<Number>& numbers, const Small
                          (!sample.in_part || static_cast<double>(meetings.size()) <= most);
     return are_few ? meetings.right_count : HUGE_VAL;
   };
-  // Clipping a segment takes 40 to 110 ns, and a meeting 100 ns. With twice this number, 638 sums
+  // Clipping a segment takes 40 to 110 ns, and a meeting 100 ns. With 0.3 instead of 0.15, 638 sums
   // took as long on the geometric mean.
   const double most_saved = 0.15 * most_right;
   double right = count_right();
@@ -154,8 +154,8 @@ const SmallSegments* meet_or_give_up(const SmallNumbers<Number>& numbers, const 
     if (may_be_hidden) drop_hidden(cover, scratch.cover.uncovered, segments);
     may_be_hidden = false;
   };
-  // Of 277 sums whose segments may be hidden, 43 have more crossings for each segment. All meetings
-  // of whole segments are few enough for a walk in four of these, and in 192 of the others.
+  // Of 277 sums with a cover, 43 expect more crossings than this for each segment. Whole segments
+  // have few enough meetings for a walk in four of these 43, and in 192 of the others.
   constexpr double kCrowded = 3;
   if (scratch.cover.crossings <= kCrowded) {
     drop();
@@ -166,8 +166,8 @@ const SmallSegments* meet_or_give_up(const SmallNumbers<Number>& numbers, const 
   SampledMeetings seen = sample_meetings(numbers, clipper, scratch);
   // Finer grids are bought as long as they help and are cheap beside the meetings that are left. A
   // meeting takes 100 ns, as long as moving 700 words. Of 640 sums that come here, 20 take under
-  // 0.77 of the time that they take without, and two over 1.3. With 0.9 for what is worth it, they
-  // took as long.
+  // 0.77 of the time that they take without, and two over 1.3. With kWorthIt =
+  // 0.9, they took the same time.
   constexpr double kMeeting = 700;
   constexpr double kWorthIt = 0.8;
   for (bool helps = true; helps;) {
@@ -193,8 +193,8 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
           Region& result) {
   SmallBoundary& boundary = scratch.boundary;
   SmallPlacement placement(width_of(p, q), p, q, plan.with_holes, scratch.placement);
-  OuterWalk<Number, kSeveral> walk(numbers, segments, scratch.meetings, placement, scratch.marks,
-                                   boundary);
+  BoundaryWalk<Number, kSeveral> walk(numbers, segments, scratch.meetings, placement, scratch.marks,
+                                      boundary);
   // The sum of the smallest points of both operands is the sum's smallest point.
   if (!walk.run(p.at(), p.smallest, q.at(), q.smallest)) return false;
   const WayFractions<Number> ways(numbers, segments);
@@ -304,7 +304,7 @@ bool sum_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand&
                SmallScratch& scratch, Region& result) {
   const double width = width_of(p, q);
   if (plan.convex) {
-    scratch.count(p.size + q.size, p.size + q.size);
+    scratch.set_counts(p.size + q.size, p.size + q.size);
     with_numbers<WideNumber>(plan.numbers, width,
                              [&](const auto& numbers) { merge_convex(numbers, p, q, result); });
     return true;
@@ -313,7 +313,7 @@ bool sum_small(const SmallPlan& plan, const SmallOperand& p, const SmallOperand&
   const bool done = with_numbers<WideNumber>(plan.numbers, width, [&](const auto& numbers) {
     return walk(numbers, p, q, plan, state, result);
   });
-  scratch.count(state.segments.size + state.segments.left_out, state.segments.size);
+  scratch.set_counts(state.segments.size + state.segments.left_out, state.segments.size);
   return done;
 }
 

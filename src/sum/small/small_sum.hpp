@@ -26,7 +26,7 @@ class SmallScratch {
   /// Of the last sum's reduced convolution: all segments, and those that a cover leaves.
   [[nodiscard]] std::uint64_t segments() const { return segments_; }
   [[nodiscard]] std::uint64_t segments_kept() const { return segments_kept_; }
-  void count(std::uint64_t segments, std::uint64_t kept) {
+  void set_counts(std::uint64_t segments, std::uint64_t kept) {
     segments_ = segments;
     segments_kept_ = kept;
   }
@@ -40,8 +40,7 @@ class SmallScratch {
 };
 
 /// Computes P ⊕ Q in canonical form, with origins: the same region as by the stages. Returns false
-/// if the stages are needed; then `result` has no meaning. The stages are needed if there are more
-/// segments than pay, if coordinates are too long, or if both operands have several polygons.
+/// if the stages are needed (docs/pipeline.md lists when); then `result` has no meaning.
 ///
 /// The reduced convolution is listed. The walk starts at the smallest point and turns into the
 /// first segment on its right, again and again. Some right turns are not taken. A hole has at least
@@ -62,7 +61,7 @@ struct SmallPlan {
   int exp2 = 0;         ///< a step of the common grid: 2^exp2 · 10^exp10
   int exp10 = 0;
 };
-/// Plans a sum in constant time and that of the holes. If the numbers are kNone, the stages are
+/// Plans a sum. O(1 + number of holes). If the numbers are kNone, the stages are
 /// needed. The operands need not be known to be valid.
 [[nodiscard]] SmallPlan plan_sum(const SmallOperand& p, const SmallOperand& q);
 

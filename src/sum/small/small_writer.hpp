@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "region/region_access.hpp"
-#include "sum/small/outer_walk.hpp"
+#include "sum/small/boundary_walk.hpp"
 
 namespace minksum {
 
