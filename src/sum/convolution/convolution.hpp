@@ -61,9 +61,7 @@ void reduced_convolution_or_sample(const Operands& operands, const Limits& limit
 /// So many are looked at only where few of them are visible. With 1,024, of which 70 to 160 were
 /// visible, no crossing was seen where there were 10,000.
 inline constexpr std::size_t kSample = 4096;
-/// Of a listed convolution, if it has enough. With 64, 870 sums took 1.005 times as long, and one
-/// took 1.37 times: no crossing was seen where there were 1,400. With 256, they took as long.
-inline constexpr std::size_t kFewestSampled = 128;
+inline constexpr std::size_t kFewestSampled = 64;  ///< of a listed convolution, if it has enough
 
 /// Returns the directions of the edges that are compatible with a convex vertex.
 [[nodiscard]] RankRange reduced_range(const Operands& operands, SiteId vertex);
