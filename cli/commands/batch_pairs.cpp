@@ -109,7 +109,7 @@ Parts load(const BatchArguments& arguments) {
       const io::Document part = io::read_document(text, arguments.limits.read);
       parts.system =
           in_system_of(arguments.coordinates, {source, part.source}, {named_by, file.string()});
-      if (named_by.empty() && (parts.system.srid || !parts.system.crs.empty())) {
+      if (named_by.empty() && has_system(parts.system)) {
         source = part.source;
         named_by = file.string();
       }

@@ -2,7 +2,6 @@
 #include "minksum/check.hpp"
 
 #include <ostream>
-#include <utility>
 
 #include "commands/commands.hpp"
 #include "commands/subcommands.hpp"
@@ -127,10 +126,8 @@ int run_check(const CheckArguments& arguments) {
   const io::Document result = read_operand(arguments.result, arguments.limits);
   const io::Document operands[2] = {read(p), read(q)};
   // Numbers of two reference systems do not fit together.
-  for (const auto& [operand, file] : {std::pair(&operands[0], &p), std::pair(&operands[1], &q)}) {
-    static_cast<void>(
-        in_system_of({}, {result.source, operand->source}, {arguments.result, *file}));
-  }
+  static_cast<void>(in_system_of({}, {result.source, operands[0].source}, {arguments.result, p}));
+  static_cast<void>(in_system_of({}, {result.source, operands[1].source}, {arguments.result, q}));
   static_cast<void>(in_system_of({}, {operands[0].source, operands[1].source}, {p, q}));
   SumCheck check;
   try {

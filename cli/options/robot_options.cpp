@@ -47,9 +47,7 @@ RobotScene read_scene(const RobotArguments& arguments, ConfigurationOptions& set
   const FillRule fill = arguments.options.fill;
   io::Document robot = read_operand(arguments.operands[0], arguments.limits, fill);
   io::Document obstacles = read_operand(arguments.operands[1], arguments.limits, fill);
-  const io::Coordinates system =
-      in_system_of({}, {robot.source, obstacles.source}, arguments.operands);
-  if (system.srid || !system.crs.empty()) {
+  if (has_system(in_system_of({}, {robot.source, obstacles.source}, arguments.operands))) {
     note("the reference system of the operands is not named in the result");
   }
   RobotScene scene{std::move(robot.geometry), std::move(obstacles.geometry)};

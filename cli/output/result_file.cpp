@@ -36,6 +36,10 @@ io::Coordinates in_system_of(const io::Coordinates& coordinates, const io::Sourc
   return with;
 }
 
+bool has_system(const io::Coordinates& coordinates) {
+  return coordinates.srid || !coordinates.crs.empty();
+}
+
 void set_system(io::Coordinates& coordinates, const io::Coordinates& system) {
   coordinates.srid = system.srid;
   coordinates.crs = system.crs;
@@ -45,7 +49,7 @@ void note_lost_system(const io::Coordinates& coordinates, io::Format format) {
   using enum io::Format;
   const bool has_place =
       format == kWkt || format == kGeoJson || format == kWkb || format == kHexWkb;
-  if (has_place || (!coordinates.srid && coordinates.crs.empty())) return;
+  if (has_place || !has_system(coordinates)) return;
   note("the reference system of the operands has no place in this format");
 }
 

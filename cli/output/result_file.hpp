@@ -17,6 +17,8 @@ namespace minksum::cli {
 [[nodiscard]] io::Coordinates in_system_of(const io::Coordinates& coordinates,
                                            const io::SourceInfo (&sources)[2],
                                            const std::string (&operands)[2]);
+/// Whether a reference system is named.
+[[nodiscard]] bool has_system(const io::Coordinates& coordinates);
 /// Takes over the reference system alone.
 void set_system(io::Coordinates& coordinates, const io::Coordinates& system);
 /// Tells, as a note, that the format has no place for the reference system.

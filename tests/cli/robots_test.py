@@ -141,6 +141,14 @@ class ConfigurationSpace(Robots):
                    1)
         self.fails(1, "--reference takes two numbers", *both, "--angles", 1, "--reference", "1")
 
+    def test_reference_systems(self):
+        note = "the reference system of the operands is not named in the result"
+        ends = ["--from", "-9,-9,0", "--to", "-8,-9,0"]
+        for command in (["cspace"], ["reach", *ends]):
+            self.fine(*command, "SRID=4326;" + SQUARE, self.walls, "--angles", 2, note=note)
+            self.fails(2, "the reference system EPSG:3857 differs from EPSG:4326", *command,
+                       "SRID=4326;" + SQUARE, "SRID=3857;" + WALLS, "--angles", 2)
+
     def test_bad_input(self):
         line = self.file("line.wkt", "LINESTRING (0 0, 10 0)")
         bow = self.file("bow.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 3, 0 0))")
