@@ -121,8 +121,8 @@ enum class Detail {
 
 /// Returns P ⊕ Q with statistics, and with tight places and a trace if these are asked for. The
 /// computation takes the same steps as minkowski_sum, but small operands take the stages if tight
-/// places or a trace are asked for. Regions must be valid. Complexity and errors
-/// are those of minkowski_sum.
+/// places or a trace are asked for. Regions must be valid. Complexity and errors are those of
+/// minkowski_sum.
 [[nodiscard]] MINKSUM_API DetailedSum detailed_sum(const Region& p, const Region& q,
                                                    const Options& options = {},
                                                    Detail detail = Detail::kStatistics);
