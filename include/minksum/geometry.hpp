@@ -24,7 +24,7 @@ using Polyline = std::vector<Point>;
 /// - Polylines and points are sorted.
 ///
 /// Equal sets that are resolved therefore compare equal.
-struct Geometry {
+struct MINKSUM_API Geometry {
   Region region;                    ///< the parts that have area
   std::vector<Polyline> polylines;  ///< the parts that have length, but no area
   std::vector<Point> points;        ///< the parts that have neither
@@ -34,6 +34,12 @@ struct Geometry {
   // NOLINTNEXTLINE(google-explicit-constructor)
   Geometry(Region area, std::vector<Polyline> lines = {}, std::vector<Point> alone = {})
       : region(std::move(area)), polylines(std::move(lines)), points(std::move(alone)) {}
+  // Not inline, because each use would be the code of three lists, one of them of lists.
+  Geometry(const Geometry& other);                 ///< copies in O(n) for n vertices of thin parts
+  Geometry(Geometry&& other) noexcept;             ///< leaves `other` empty
+  Geometry& operator=(const Geometry& other);      ///< copies in O(n) as well
+  Geometry& operator=(Geometry&& other) noexcept;  ///< leaves `other` empty
+  ~Geometry();
 
   /// Tells whether the geometry is the empty set.
   [[nodiscard]] bool empty() const { return region.empty() && !has_thin_parts(); }

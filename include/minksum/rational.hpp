@@ -43,7 +43,14 @@ using Widest = std::conditional_t<std::is_signed_v<Number>, std::int64_t, std::u
 /// copies. The type is meant for reading results and for exact operands, not for bulk arithmetic.
 class MINKSUM_API Rational {
  public:
-  Rational();                                           ///< makes zero
+  Rational();  ///< makes zero
+  // Inline, each of these would be some hundred bytes of code, and expressions make many
+  // temporaries.
+  Rational(const Rational& other) noexcept;             ///< copies in O(1)
+  Rational(Rational&& other) noexcept;                  ///< leaves `other` zero
+  Rational& operator=(const Rational& other) noexcept;  ///< copies in O(1)
+  Rational& operator=(Rational&& other) noexcept;       ///< leaves `other` zero
+  ~Rational();
   // Numbers convert by themselves, as nothing is lost: NOLINTBEGIN(google-explicit-constructor)
   Rational(std::int64_t value);   ///< makes this integer
   Rational(std::uint64_t value);  ///< makes this integer
@@ -86,7 +93,7 @@ class MINKSUM_API Rational {
   /// Returns the number in the form that `from_limbs` takes. O(n) for n limbs.
   [[nodiscard]] Limbs limbs() const;
 
-  [[nodiscard]] int sign() const;  ///< returns -1, 0 or 1
+  [[nodiscard]] int sign() const;              ///< returns -1, 0 or 1
   [[nodiscard]] bool is_integer() const;       ///< tells whether the denominator is 1
   [[nodiscard]] Rational numerator() const;    ///< in lowest terms, with the sign
   [[nodiscard]] Rational denominator() const;  ///< in lowest terms, positive

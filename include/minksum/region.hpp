@@ -190,6 +190,12 @@ struct StoredCoordinate {
 class MINKSUM_API Region {
  public:
   Region() = default;
+  // Not inline, to keep the code of callers small.
+  Region(const Region& other) noexcept;             ///< copies in O(1)
+  Region(Region&& other) noexcept;                  ///< leaves `other` empty
+  Region& operator=(const Region& other) noexcept;  ///< copies in O(1)
+  Region& operator=(Region&& other) noexcept;       ///< leaves `other` empty
+  ~Region();
   /// Makes the region of one polygon, vertex by vertex. O(n). Throws as `add_vertex` does.
   Region(const Polygon& polygon);  // NOLINT(google-explicit-constructor): the same set
   /// Makes the region of these polygons, in this order. O(n). Throws as `add_vertex` does.

@@ -76,6 +76,11 @@ const BigInteger& RationalAccess::denominator(const Rational& value) {
 }
 
 Rational::Rational() = default;
+Rational::Rational(const Rational& other) noexcept = default;
+Rational::Rational(Rational&& other) noexcept = default;
+Rational& Rational::operator=(const Rational& other) noexcept = default;
+Rational& Rational::operator=(Rational&& other) noexcept = default;
+Rational::~Rational() = default;
 
 Rational::Rational(std::shared_ptr<const Value> value) : value_(std::move(value)) {}
 

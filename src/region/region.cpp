@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "minksum/geometry.hpp"
 #include "region/region_access.hpp"
 
 namespace minksum {
@@ -25,6 +26,19 @@ void require_finite(double x, double y, const Region& region, std::size_t vertex
 }
 
 }  // namespace
+
+Region::Region(const Region& other) noexcept = default;
+Region::Region(Region&& other) noexcept = default;
+Region& Region::operator=(const Region& other) noexcept = default;
+Region& Region::operator=(Region&& other) noexcept = default;
+Region::~Region() = default;
+
+// Nothing else of Geometry is in a file.
+Geometry::Geometry(const Geometry& other) = default;
+Geometry::Geometry(Geometry&& other) noexcept = default;
+Geometry& Geometry::operator=(const Geometry& other) = default;
+Geometry& Geometry::operator=(Geometry&& other) noexcept = default;
+Geometry::~Geometry() = default;
 
 Region::Region(const Polygon& polygon) : Region(std::span<const Polygon>(&polygon, 1)) {}
 

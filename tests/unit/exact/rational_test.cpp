@@ -11,6 +11,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "minksum/error.hpp"
 #include "support/random.hpp"
@@ -195,6 +196,17 @@ TEST(Rational, TellsItsSize) {
   std::ostringstream out;
   out << Rational(-1, 2);
   EXPECT_EQ(out.str(), "-1/2");
+}
+
+// A number that was moved from is zero.
+TEST(Rational, Moves) {
+  Rational from(2, 3);
+  Rational to = std::move(from);
+  EXPECT_EQ(to, Rational(2, 3));
+  EXPECT_EQ(from, 0);  // NOLINT(bugprone-use-after-move)
+  from = std::move(to);
+  EXPECT_EQ(from, Rational(2, 3));
+  EXPECT_EQ(to, 0);  // NOLINT(bugprone-use-after-move)
 }
 
 }  // namespace

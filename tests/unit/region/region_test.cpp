@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "minksum/geometry.hpp"
 #include "region/region_access.hpp"
 #include "support/random.hpp"
 #include "support/shapes.hpp"
@@ -255,6 +256,18 @@ TEST(Region, Moves) {
   Region& same = from;
   from = std::move(same);
   EXPECT_EQ(from.polygon_count() + from.ring_count(), from.vertex_count());
+}
+
+// The same holds for a geometry.
+TEST(Region, MovesWithThinParts) {
+  const Geometry all(test::rectangle(0, 0, 1, 1), {{{2, 2}, {3, 5}}}, {{9, 9}});
+  Geometry from = all;
+  Geometry to = std::move(from);
+  EXPECT_EQ(to, all);
+  EXPECT_EQ(from, Geometry());  // NOLINT(bugprone-use-after-move)
+  from = std::move(to);
+  EXPECT_EQ(from, all);
+  EXPECT_EQ(to, Geometry());  // NOLINT(bugprone-use-after-move)
 }
 
 Region with_origins() {
