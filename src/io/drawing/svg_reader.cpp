@@ -161,13 +161,14 @@ class SvgReader {
   }
 
   void draw(std::size_t index, State state, int depth) {
-    constexpr std::size_t kMostDrawn = 10'000'000;  // symbols in symbols multiply
+    constexpr std::size_t kMostUsed = 1'000'000;  // symbols in symbols multiply
     cancellation_.check(256);
     const Element e = element(index);
     if (is_one_of(e.name, kUndrawn)) return;
-    if (++drawn_ > kMostDrawn) {
+    if (depth > 0 && ++used_ > kMostUsed) {
       document_.cursor().fail(ErrorCode::kLimitExceeded,
-                              "more elements are drawn than the limit of 10000000", position_of(e));
+                              "'use' draws more elements than the limit of 1000000",
+                              position_of(e));
     }
     state.style = styles_.style_of(state.style, e.name, e.attributes, ignored_);
     if (state.style.removed) return;
@@ -306,7 +307,7 @@ class SvgReader {
   Ignored ignored_;
   std::string unit_;
   std::map<std::string_view, std::size_t> ids_;
-  std::size_t drawn_ = 0;
+  std::size_t used_ = 0;  ///< elements drawn by `use`
 };
 
 }  // namespace

@@ -94,6 +94,19 @@ TEST(Svg, StraightShapesAreExact) {
   for (const auto& [content, wkt] : cases) EXPECT_EQ(read_exactly(svg(content)), wkt) << content;
 }
 
+// Each group draws the one before it ten times.
+TEST(Svg, WhatUseDrawsIsLimited) {
+  std::string content = "<g id='g0'><rect width='1' height='1'/></g>";
+  EXPECT_EQ(read_exactly(svg(content + "<use href='#g0'/>")), kSquare);
+  for (int i = 1; i < 8; ++i) {
+    std::string group = "\n<g id='g" + std::to_string(i) + "'>";
+    for (int k = 0; k < 10; ++k) group += "<use href='#g" + std::to_string(i - 1) + "'/>";
+    content += group + "</g>";
+  }
+  EXPECT_EQ(read_exactly(svg(content)),
+            "1:42: 'use' draws more elements than the limit of 1000000");
+}
+
 TEST(Svg, TheWidthNamesTheUnit) {
   const std::string rect = "<rect width='1' height='1'/>";
   const auto unit = [&rect](const std::string& attributes) {
