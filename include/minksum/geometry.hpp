@@ -34,7 +34,7 @@ struct MINKSUM_API Geometry {
   // NOLINTNEXTLINE(google-explicit-constructor)
   Geometry(Region area, std::vector<Polyline> lines = {}, std::vector<Point> alone = {})
       : region(std::move(area)), polylines(std::move(lines)), points(std::move(alone)) {}
-  // Not inline, because each use would be the code of three lists, one of them of lists.
+  // Not inline, to keep the code of callers small.
   Geometry(const Geometry& other);                 ///< copies in O(n) for n vertices of thin parts
   Geometry(Geometry&& other) noexcept;             ///< leaves `other` empty
   Geometry& operator=(const Geometry& other);      ///< copies in O(n) as well

@@ -33,7 +33,7 @@ Region& Region::operator=(const Region& other) noexcept = default;
 Region& Region::operator=(Region&& other) noexcept = default;
 Region::~Region() = default;
 
-// Nothing else of Geometry is in a file.
+// Geometry has no file of its own: all else is in its header.
 Geometry::Geometry(const Geometry& other) = default;
 Geometry::Geometry(Geometry&& other) noexcept = default;
 Geometry& Geometry::operator=(const Geometry& other) = default;
