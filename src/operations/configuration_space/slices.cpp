@@ -191,11 +191,11 @@ void ConfigurationSpace::for_each_slice(
   }
   PartProgress progress(state_->options, turns.size());
   const auto make = [&](std::size_t i, Workspace& workspace) {
-    Slice made = make_slice(*state_, boundary_, turns[i], shared ? &*shared : nullptr, with_free,
-                            progress.options(), workspace);
-    if (finish) finish(i, made);
+    Slice slice = make_slice(*state_, boundary_, turns[i], shared ? &*shared : nullptr, with_free,
+                             progress.options(), workspace);
+    if (finish) finish(i, slice);
     progress.finish_part();
-    return made;
+    return slice;
   };
   for_each_in_order<Slice, Workspace>(turns.size(), state_->options.threads, progress.options(),
                                       make, visit);

@@ -92,16 +92,16 @@ class Quarter {
   /// Whether doubles show that a vertex and the edge to the next one are right. They do so as
   /// long as a step, which vertices and edges keep from the circles, is no smaller than roundings.
   [[nodiscard]] bool is_clearly_right(const Point& a, const Point& b) const {
-    constexpr double kRounding = 0x1p-50;  // a relative error of a few operations
+    constexpr double kRelative = 0x1p-50;  // a relative error of a few operations
     const auto [ax, ay, bx, by, inner, outer] =
         std::array{a.x.to_double(), a.y.to_double(),    b.x.to_double(),
                    b.y.to_double(), inner_.to_double(), outer_.to_double()};
-    const double x = std::abs(bx - ax) + kRounding * (std::abs(ax) + std::abs(bx));
-    const double y = std::abs(by - ay) + kRounding * (std::abs(ay) + std::abs(by));
-    const double cross = ax * by - ay * bx - kRounding * (std::abs(ax * by) + std::abs(ay * bx));
+    const double x = std::abs(bx - ax) + kRelative * (std::abs(ax) + std::abs(bx));
+    const double y = std::abs(by - ay) + kRelative * (std::abs(ay) + std::abs(by));
+    const double cross = ax * by - ay * bx - kRelative * (std::abs(ax * by) + std::abs(ay * bx));
     return ax >= 0 && ay >= 0 && inner >= kLeast && outer <= 1 / kLeast && cross > 0 &&
-           (ax * ax + ay * ay) * (1 + 4 * kRounding) <= outer * outer &&
-           cross >= inner * std::sqrt(x * x + y * y) * (1 + 4 * kRounding);
+           (ax * ax + ay * ay) * (1 + 4 * kRelative) <= outer * outer &&
+           cross >= inner * std::sqrt(x * x + y * y) * (1 + 4 * kRelative);
   }
   [[nodiscard]] bool is_right(const Point& a, const Point& b) const {
     const Rational x = b.x - a.x;
