@@ -5,6 +5,8 @@ BASE ?= HEAD
 LIMIT ?= 2
 JOBS ?= $(shell nproc)
 CMAKE_ARGS ?=
+# ON = the tests of the core include those of the extensions of PostgreSQL.
+SQL ?= OFF
 # `make install` installs below PREFIX; DESTDIR, if set, stands before it.
 PREFIX ?= /usr/local
 # Ninja compiles files of all targets at once, where Make finishes one target before the next. A
@@ -15,7 +17,7 @@ CMAKE = env -u MAKEFLAGS -u MAKELEVEL $(NINJA) cmake
 CTEST = env -u MAKEFLAGS -u MAKELEVEL ctest --output-on-failure
 
 .DEFAULT_GOAL := help
-.PHONY: help deps deps-bench build demo test test-core test-python test-sql npm-pack test-js bench-js test-wasm web test-web install install-sql package test-aarch64 oracle bench bench-quick compare asan docs clean
+.PHONY: help deps deps-bench build build-tests demo test test-core test-python test-sql npm-pack test-js bench-js test-wasm web test-web install install-sql package test-aarch64 oracle bench bench-quick compare asan docs clean
 
 help: ## say what there is
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 20
@@ -26,18 +28,31 @@ deps: ## install the Debian packages that are missing (as root), or name them
 deps-bench: deps ## the same for what bench and compare alone use; each of these may be missing
 	@scripts/install_packages.sh --optional packages-bench.txt
 
+# Two programs cannot build in one folder at the same time. So `make test` builds first, and runs its
+# parts with BUILT set.
+ifdef BUILT
+build build-tests:
+else
 build: deps ## build library and program: build/minksum
 	@$(CMAKE) --log-level=WARNING -S . -B $(BUILD) $(CMAKE_ARGS)
 	$(CMAKE) --build $(BUILD) -j $(JOBS) --target minksum_program
 
+build-tests: deps
+	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF -DMINKSUM_BUILD_SQL=$(SQL) $(CMAKE_ARGS)
+	$(CMAKE) --build $(BUILD) -j $(JOBS)
+endif
+
 demo: build ## compute two sums from examples/ and draw them into demo-output/
 	@examples/demo.sh $(BUILD)/minksum demo-output
 
-test: test-core test-python test-sql test-js test-web ## build everything and run every test, one part after another
+# The tests of the core use all cores. Most of the others use one, and wait for browsers in between,
+# so they run beside.
+test: deps ## build everything and run every test
+	@scripts/install_packages.sh packages-sql.txt packages-python.txt packages-js.txt packages-web.txt
+	@$(MAKE) --no-print-directory SQL=ON build-tests
+	@$(MAKE) --no-print-directory --jobs=2 --output-sync=target BUILT=yes test-core test-python test-js test-web
 
-test-core: deps ## build library, program and C interface, and run their tests
-	$(CMAKE) -S . -B $(BUILD) -DMINKSUM_BUILD_TESTS=ON -DMINKSUM_BUILD_BENCH=OFF -DMINKSUM_BUILD_SQL=OFF $(CMAKE_ARGS)
-	$(CMAKE) --build $(BUILD) -j $(JOBS)
+test-core: build-tests ## build library, program and C interface, and run their tests
 	$(CTEST) --test-dir $(BUILD) -j $(JOBS)
 
 test-sql: deps ## build the extensions of PostgreSQL, and test them in a server of their own

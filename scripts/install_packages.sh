@@ -1,15 +1,16 @@
 #!/bin/sh
-# usage: install_packages.sh [--optional] [LIST]     (LIST: packages.txt)
-# Installs the missing Debian packages of a list. If it cannot, it names them, and fails unless they
-# are optional.
+# usage: install_packages.sh [--optional] [LIST...]     (LIST: packages.txt)
+# Installs the missing Debian packages of all lists. If it cannot, it names them, and fails unless
+# they are optional.
 set -eu
 failure=1
 if [ "${1:-}" = --optional ]; then
   failure=0
   shift
 fi
-list="$(dirname "$0")/../${1:-packages.txt}"
-packages="$(sed -e 's/#.*//' "$list" | tr -s ' \t\n' ' ' | sed -e 's/^ //' -e 's/ $//')"
+[ $# != 0 ] || set -- packages.txt
+packages="$(cd "$(dirname "$0")/.." && sed -e 's/#.*//' "$@" | tr -s ' \t\n' ' ' |
+  sed -e 's/^ //' -e 's/ $//')"
 
 if [ "${MINKSUM_SKIP_DEPS:-0}" = 1 ]; then
   exit 0
