@@ -273,10 +273,13 @@ std::uint64_t rasterise(const EdgesOfOperands& edges, const UniformGrid& grid,
     return Rasteriser(edges[operand], grid, words, scratch.boundary[operand], own,
                       scratch.raster[operand]);
   };
-  // Edges are walked along, and some passes go over all words.
-  std::uint64_t units = words * static_cast<std::uint64_t>(grid.rows) / 2;
-  for (const EdgesOfOperand& o : edges) {
-    for (SiteId e = o.begin; e < o.end; ++e) units += 2 + work_of_walk(o, e, grid);
+  std::uint64_t units = 0;
+  if (members_of(cancellation) > 1) {
+    // Edges are walked along, and some passes go over all words.
+    units = words * static_cast<std::uint64_t>(grid.rows) / 2;
+    for (const EdgesOfOperand& o : edges) {
+      for (SiteId e = o.begin; e < o.end; ++e) units += 2 + work_of_walk(o, e, grid);
+    }
   }
   share_each(2, units / 2, cancellation,
              [&](std::size_t operand, Cancellation& own) { rasteriser(operand, own).run(); });
