@@ -80,11 +80,13 @@ class MedianDivision {
   /// Does the same, but lists crowds, and parts with at most so many items, in the order in which
   /// they would be handled. Nothing is handled.
   void split(const BoxOf<double>& part, std::size_t most, std::vector<UndividedPart>& undivided) {
-    most_undivided_ = std::max(most, kFew);
-    undivided_ = &undivided;
-    divide(part);
-    undivided_ = nullptr;
-    most_undivided_ = 0;
+    split(part, kMaxPoor, most, undivided);
+  }
+  /// Does the same with what another `split` has left.
+  void split(UndividedPart& given, std::size_t most, std::vector<UndividedPart>& undivided) {
+    items_.swap(given.items);
+    split(given.part, given.poor, most, undivided);
+    items_.clear();
   }
   /// Divides what `split` has left.
   void divide(UndividedPart& undivided) {
@@ -171,6 +173,14 @@ class MedianDivision {
     return axis == Axis::kX ? division<Axis::kX>(begin, end) : division<Axis::kY>(begin, end);
   }
 
+  void split(const BoxOf<double>& part, int poor, std::size_t most,
+             std::vector<UndividedPart>& undivided) {
+    most_undivided_ = std::max(most, kFew);
+    undivided_ = &undivided;
+    divide(0, items_.size(), part, poor);
+    undivided_ = nullptr;
+    most_undivided_ = 0;
+  }
   void divide(std::size_t begin, std::size_t end, const BoxOf<double>& part, int poor) {
     const std::size_t count = end - begin;
     if (count < 2 || !user_.enter(begin, end, part)) return;

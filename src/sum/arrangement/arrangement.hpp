@@ -93,6 +93,12 @@ struct alignas(64) CellPart {   // threads fill neighbours: each needs cache lin
   KeptId kept = 0;
 };
 
+/// The cells of a slice of all items, while a thread sorts them.
+struct alignas(64) CellSlice {       // threads fill neighbours: each needs cache lines of its own
+  std::vector<std::uint32_t> end;    ///< by cell: as `cell_end`, which the last slice has
+  std::vector<std::uint32_t> cells;  ///< as `cells`, which the first slice has
+};
+
 /// A point on a kept segment where another one meets it.
 struct Event {
   double lambda;  ///< position along the segment, within `error`
@@ -224,7 +230,7 @@ struct JoinScratch : JoinedPart {
 /// Memory for binning.
 struct BinScratch {
   std::vector<Segment> ordered;
-  std::vector<std::uint32_t> place;  ///< by site: where its segments are in `ordered`
+  std::vector<std::uint32_t> begin;  ///< by site: where its segments begin in `ordered`
   std::vector<Clip> clips;
 };
 
@@ -245,6 +251,7 @@ struct ArrangementScratch {
   std::vector<CellItem> in_cells;       ///< items cell by cell
   std::vector<std::uint32_t> cells;     ///< cells that have items
   std::vector<std::uint32_t> cell_end;  ///< by cell: where its items end in `in_cells`, or 0
+  std::vector<CellSlice> slices;
   std::vector<MeetingScratch> meeting;  ///< by thread
   std::vector<Meetings> meetings;       ///< part by part; crossings are moved to the next list
   std::vector<Crossing> crossings;

@@ -3,10 +3,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <span>
 
-#include "machine/team.hpp"
+#include "machine/share_by_key.hpp"
 #include "sum/arrangement/place_segments.hpp"
 #include "sum/arrangement/visible_segments.hpp"
 
@@ -55,15 +54,12 @@ class Binner {
     const auto site = [&](const Segment& s) {
       return o_.operand_of(s.edge) == longer ? s.edge : s.vertex;
     };
-    auto& place = scratch_.bin.place;
-    place.assign(o_.size() + 1, 0);
-    visit_in_pieces(segments, cancellation_, [&](const Segment& s) { ++place[site(s) + 1]; });
-    std::partial_sum(place.begin(), place.end(), place.begin());
-    auto& ordered = scratch_.bin.ordered;
-    resize_in_pieces(ordered, segments.size(), cancellation_);
-    visit_in_pieces(segments, cancellation_,
-                    [&](const Segment& s) { ordered[place[site(s)]++] = s; });
-    return ordered;
+    BinScratch& memory = scratch_.bin;
+    share_by_key(
+        o_.size(), 1, [&](std::size_t) { return segments; },
+        [&](std::size_t, const Segment& s) { return std::pair(site(s), s); }, cancellation_,
+        memory.begin, memory.ordered);
+    return memory.ordered;
   }
 
   /// Keeps the segments that touch an uncovered cell, and lists these cells if they are wanted.
@@ -219,37 +215,84 @@ class Binner {
   }
 
   /// Sorts items by cell, unless cells are too crowded. This counting sort only visits cells that
-  /// have items.
+  /// have items: each slice lists those that it comes to first, in this order.
   void sort_by_cells() {
     std::size_t count = 0;
     for (const CellPart& part : scratch_.parts) count += part.items.size();
     if (count > std::numeric_limits<std::uint32_t>::max()) {
       throw Error(ErrorCode::kLimitExceeded, "segments pass 2^32 cells of a grid or more");
     }
-    auto& cells = scratch_.cells;
-    auto& end = scratch_.cell_end;
-    for (const std::uint32_t cell : cells) end[cell] = 0;
-    cells.clear();
-    const auto cell_count = static_cast<std::size_t>(grid_.size());
-    if (end.size() < cell_count) resize_in_pieces(end, cell_count, cancellation_);
-    for (const CellPart& part : scratch_.parts) {
-      visit_in_pieces(part.items, cancellation_, [&](const CellItem& item) {
+    const std::size_t slices = start_slices(count);
+    const auto end_of = [&](std::size_t slice) -> auto& {
+      return slice + 1 == slices ? scratch_.cell_end : scratch_.slices[slice].end;
+    };
+    const auto cells_of = [&](std::size_t slice) -> auto& {
+      return slice == 0 ? scratch_.cells : scratch_.slices[slice].cells;
+    };
+    const auto visit_slice = [&](std::size_t slice, Cancellation& own, auto visit) {
+      const auto& parts = scratch_.parts;
+      visit_range(
+          parts.size(), [&](std::size_t i) -> const auto& { return parts[i].items; },
+          begin_of(slice, slices, count), begin_of(slice + 1, slices, count), own, visit);
+    };
+    share(slices, cancellation_, [&](std::size_t slice, std::size_t, Cancellation& own) {
+      auto& end = end_of(slice);
+      auto& cells = cells_of(slice);
+      visit_slice(slice, own, [&](std::size_t, const CellItem& item) {
         if (end[item.cell] == 0) cells.push_back(item.cell);
         ++end[item.cell];
       });
+    });
+    for (std::size_t slice = 1; slice < slices; ++slice) {
+      for (const std::uint32_t cell : cells_of(slice)) {
+        bool is_new = true;
+        for (std::size_t before = 0; before < slice; ++before) is_new &= end_of(before)[cell] == 0;
+        if (is_new) scratch_.cells.push_back(cell);
+      }
     }
-    scratch_.by_cells = !are_crowded(count, cells.size());
+    scratch_.by_cells = !are_crowded(count, scratch_.cells.size());
     if (!scratch_.by_cells) return;
     std::uint32_t begin = 0;
-    for (const std::uint32_t cell : cells) begin += std::exchange(end[cell], begin);
+    for (const std::uint32_t cell : scratch_.cells) {
+      for (std::size_t slice = 0; slice < slices; ++slice) {
+        begin += std::exchange(end_of(slice)[cell], begin);
+      }
+    }
     resize_in_pieces(scratch_.in_cells, count, cancellation_);
-    for (const CellPart& part : scratch_.parts) {
-      visit_in_pieces(part.items, cancellation_, [&](const CellItem& item) {
+    share(slices, cancellation_, [&](std::size_t slice, std::size_t, Cancellation& own) {
+      auto& end = end_of(slice);
+      visit_slice(slice, own, [&](std::size_t part, const CellItem& item) {
         CellItem& sorted = scratch_.in_cells[end[item.cell]++];
         sorted = item;
-        sorted.segment += part.before;
+        sorted.segment += scratch_.parts[part].before;
       });
+    });
+  }
+
+  /// Returns into how many slices to divide so many items. Leaves no cell with items in any slice.
+  std::size_t start_slices(std::size_t items) {
+    const auto cell_count = static_cast<std::size_t>(grid_.size());
+    const std::size_t slices = slices_for<CellItem>(items, cell_count, cancellation_);
+    scratch_.slices.resize(std::max(scratch_.slices.size(), slices));
+    const auto clear = [&](const std::vector<std::uint32_t>& cells,
+                           std::vector<std::uint32_t>& end) {
+      for (const std::uint32_t cell : cells) {
+        if (cell < end.size()) end[cell] = 0;
+      }
+    };
+    // An operation that was cancelled may have left counts that only its slices' lists tell of.
+    const auto start = [&](std::vector<std::uint32_t>& end, bool wanted) {
+      clear(scratch_.cells, end);
+      for (const CellSlice& slice : scratch_.slices) clear(slice.cells, end);
+      if (wanted && end.size() < cell_count) resize_in_pieces(end, cell_count, cancellation_);
+    };
+    start(scratch_.cell_end, true);
+    for (std::size_t slice = 0; slice < scratch_.slices.size(); ++slice) {
+      start(scratch_.slices[slice].end, slice + 1 < slices);
     }
+    for (CellSlice& slice : scratch_.slices) slice.cells.clear();
+    scratch_.cells.clear();
+    return slices;
   }
 
   /// Whether segments would meet one another again and again, because they run side by side through

@@ -46,6 +46,10 @@ class CrowdFinder {
   /// Divides the part, and lists what is left: parts of at most so many segments, and crowds.
   /// Groups are in the scratch of this finder.
   void split(const PlanePart& part, std::size_t most, std::vector<UndividedPart>& undivided);
+  /// Divides further what another `split` has listed.
+  void split(UndividedPart& given, std::size_t most, std::vector<UndividedPart>& undivided) {
+    division_.split(given, most, undivided);
+  }
   /// Meets the segments of what `split` has listed.
   void solve(UndividedPart& undivided, const SegmentGroups& groups) {
     groups_ = &groups;

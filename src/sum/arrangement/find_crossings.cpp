@@ -48,6 +48,10 @@ class CrossingFinder {
     add_all();
     crowds_.split({}, most, undivided);
   }
+  /// Divides one of these parts further.
+  void split_listed(UndividedPart& part, std::size_t most, std::vector<UndividedPart>& undivided) {
+    crowds_.split(part, most, undivided);
+  }
   /// Solves one of the groups, or of the parts after them: in the order of `solve_crowd`.
   void solve_listed(std::vector<UndividedPart>& parts, const SegmentGroups& groups,
                     std::size_t task) {
@@ -246,10 +250,19 @@ void find_crossings(const Cover& cover, const SumSettings& options, Predicates& 
              tasks == 1) {
     solve_tasks(1, [](CrossingFinder& finder, std::size_t) { finder.solve_crowd(); });
   } else {
-    std::vector<UndividedPart> undivided;
+    // About one large part for each thread, which then divides its own.
+    std::vector<UndividedPart> large;
     solve_tasks(1, [&](CrossingFinder& finder, std::size_t) {
-      finder.split_crowd(scratch.line_count / tasks, undivided);
+      finder.split_crowd(3 * (scratch.line_count / 2) / members_of(cancellation), large);
     });
+    std::vector<std::vector<UndividedPart>> divided(large.size());
+    solve_tasks(large.size(), [&](CrossingFinder& finder, std::size_t task) {
+      finder.split_listed(large[task], scratch.line_count / tasks, divided[task]);
+    });
+    std::vector<UndividedPart> undivided;
+    for (auto& parts : divided) {
+      for (UndividedPart& part : parts) undivided.push_back(std::move(part));
+    }
     const SegmentGroups& groups = scratch.meeting[0].crowds.groups;
     solve_tasks(groups.groups.size() + undivided.size(),
                 [&](CrossingFinder& finder, std::size_t task) {

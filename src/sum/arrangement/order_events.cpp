@@ -5,8 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "machine/make_room.hpp"
-#include "machine/team.hpp"
+#include "machine/share_by_key.hpp"
 
 namespace minksum {
 namespace {
@@ -25,15 +24,15 @@ class EventOrder {
     std::size_t events = 0;
     for (const Meetings& part : scratch_.meetings) events += part.events.size();
     limit_events(events);
-    list_by_key(arrangement_.kept.size(), cancellation_, scratch_.event_begin,
-                scratch_.sorted_events, [&](auto visit) {
-                  for (const Meetings& part : scratch_.meetings) {
-                    visit_in_pieces(part.events, cancellation_, [&](Event event) {
-                      if (event.point >= points_.ends()) event.point += part.before;
-                      visit(event.segment, event);
-                    });
-                  }
-                });
+    const auto& parts = scratch_.meetings;
+    share_by_key(
+        arrangement_.kept.size(),
+        parts.size(), [&](std::size_t i) -> const auto& { return parts[i].events; },
+        [&](std::size_t i, Event event) {
+          if (event.point >= points_.ends()) event.point += parts[i].before;
+          return std::pair(event.segment, event);
+        },
+        cancellation_, scratch_.event_begin, scratch_.sorted_events);
   }
 
   /// Orders the events on each segment. Threads order those that doubles tell apart, on most
@@ -52,9 +51,10 @@ class EventOrder {
       return;
     }
     resize_in_pieces(done, lines, cancellation_);
-    share_each(lines, units / (lines + 1) + 1, cancellation_, [&](std::size_t s, Cancellation& own) {
-      done[s] = order_if_clear(static_cast<KeptId>(s), own);
-    });
+    share_each(lines, units / (lines + 1) + 1, cancellation_,
+               [&](std::size_t s, Cancellation& own) {
+                 done[s] = order_if_clear(static_cast<KeptId>(s), own);
+               });
     in_pieces(lines, cancellation_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {
         if (done[s] != Ordered::kWholly) order(static_cast<KeptId>(s), done[s]);

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <string>
 
 #include "machine/exceeded.hpp"
-#include "machine/make_room.hpp"
-#include "machine/team.hpp"
+#include "machine/share_by_key.hpp"
 #include "spatial/uniform_grid.hpp"
 
 namespace minksum {
@@ -284,31 +282,22 @@ class RunSearch {
 /// Orders segments by vertex, and those of a vertex from the first direction that it meets.
 void order_as_listed(const Operands& o, const RankCircle& circle, Cancellation& cancellation,
                      VisibleScratch& scratch) {
-  auto& place = scratch.place;
-  place.assign(o.size() + 1, 0);
-  std::size_t count = 0;
-  for (const RunScratch& search : scratch.searches) {
-    visit_in_pieces(search.found, cancellation, [&](const Segment& s) { ++place[s.vertex + 1]; });
-    count += search.found.size();
-  }
-  std::partial_sum(place.begin(), place.end(), place.begin());
+  auto& begin = scratch.begin;
   auto& ordered = scratch.visible;
-  resize_in_pieces(ordered, count, cancellation);
-  for (const RunScratch& search : scratch.searches) {
-    visit_in_pieces(search.found, cancellation,
-                    [&](const Segment& s) { ordered[place[s.vertex]++] = s; });
-  }
-  // Now place[v] is where the segments of v end.
+  share_by_key(
+      o.size(), scratch.searches.size(),
+      [&](std::size_t i) -> const auto& { return scratch.searches[i].found; },
+      [](std::size_t, const Segment& s) { return std::pair(s.vertex, s); }, cancellation, begin,
+      ordered);
   constexpr std::uint64_t kUnitsOfSegment = 16;  // it is compared with some others
-  const std::uint64_t units = kUnitsOfSegment * count / o.size();
+  const std::uint64_t units = kUnitsOfSegment * ordered.size() / o.size();
   share_each(o.size(), units, cancellation, [&](std::size_t v, Cancellation& own) {
     const auto before = [&](const Segment& a, const Segment& b) {
       const DirectionRank way_a = circle.way(scratch.ranges[v].from, o.rank[a.edge]);
       const DirectionRank way_b = circle.way(scratch.ranges[v].from, o.rank[b.edge]);
       return way_a != way_b ? way_a < way_b : a.edge < b.edge;
     };
-    sort_in_pieces(ordered.begin() + (v == 0 ? 0 : place[v - 1]), ordered.begin() + place[v], own,
-                   before);
+    sort_in_pieces(ordered.begin() + begin[v], ordered.begin() + begin[v + 1], own, before);
   });
 }
 
@@ -318,15 +307,28 @@ std::span<const Segment> list_visible(const Operands& o, std::span<const Segment
   const auto& sites = scratch.sites;
   auto& visible = scratch.visible;
   resize_in_pieces(visible, segments.size(), cancellation);
-  std::size_t count = 0;
   const CoveredBlocks covered(cover, scratch.uncovered, scratch.blocks);
-  // There is no branch on which segments are hidden, because that is hard to predict.
-  visit_in_pieces(segments, cancellation, [&](const Segment& segment) {
-    visible[count] = segment;
-    const bool hidden = covered.hides(sites[segment.edge], sites[segment.vertex]);
-    const bool copy = o.equal && is_copy(o, segment);
-    count += (hidden | copy) ? 0U : 1U;
+  const std::size_t tasks = tasks_for(segments.size(), cancellation);
+  const auto first_of = [&](std::size_t task) { return begin_of(task, tasks, segments.size()); };
+  scratch.begin.resize(tasks);
+  share(tasks, cancellation, [&](std::size_t task, std::size_t, Cancellation& own) {
+    std::size_t end = first_of(task);
+    // There is no branch on which segments are hidden, because that is hard to predict.
+    visit_in_pieces(segments.subspan(end, first_of(task + 1) - end), own,
+                    [&](const Segment& segment) {
+                      visible[end] = segment;
+                      const bool hidden = covered.hides(sites[segment.edge], sites[segment.vertex]);
+                      const bool copy = o.equal && is_copy(o, segment);
+                      end += (hidden | copy) ? 0U : 1U;
+                    });
+    scratch.begin[task] = static_cast<std::uint32_t>(end);
   });
+  std::size_t count = scratch.begin[0];
+  for (std::size_t task = 1; task < tasks; ++task) {
+    visit_in_pieces(
+        std::span(visible).subspan(first_of(task), scratch.begin[task] - first_of(task)),
+        cancellation, [&](const Segment& segment) { visible[count++] = segment; });
+  }
   visible.resize(count);
   return visible;
 }

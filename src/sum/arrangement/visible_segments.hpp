@@ -63,7 +63,8 @@ struct VisibleScratch {
   std::vector<RunPair> pairs;        ///< to begin with
   std::vector<RunScratch> searches;  ///< by thread
   std::vector<Segment> visible;
-  std::vector<std::uint32_t> place;  ///< by site: where its segments are in `visible`
+  std::vector<std::uint32_t> begin;  ///< by site: where its segments begin in `visible`; or by
+                                     ///< task: where those end that it has found
 };
 
 /// Lists the segments that may touch uncovered cells of an active cover, in the convolution's

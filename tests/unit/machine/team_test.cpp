@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <new>
@@ -10,9 +11,12 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "machine/in_order.hpp"
+#include "machine/share_by_key.hpp"
+#include "support/random.hpp"
 #include "support/threads.hpp"
 
 namespace minksum {
@@ -54,6 +58,47 @@ TEST(Team, DividesAllElements) {
       }
     }
   }
+}
+
+TEST(ShareByKey, ListsWhatOneThreadLists) {
+  using Keyed = std::pair<std::uint32_t, std::uint32_t>;
+  test::Random random(20);
+  for (const std::uint32_t keys : {1U, 7U, 1000U}) {
+    std::vector<std::vector<Keyed>> lists(5);
+    std::vector<Keyed> all;
+    for (std::size_t i = 0; i < 20'000; ++i) {
+      all.emplace_back(random.next() % keys, i);
+      lists[i * i / 100'000'000].push_back(all.back());
+    }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Keyed& a, const Keyed& b) { return a.first < b.first; });
+    for (const int threads : {1, 2, 3, 8}) {
+      Team team(threads, true);
+      Cancellation never;
+      never.join(team);
+      std::vector<std::uint32_t> begin;
+      std::vector<Keyed> values;
+      share_by_key(
+          keys, lists.size(), [&](std::size_t i) -> const auto& { return lists[i]; },
+          [](std::size_t, const Keyed& one) { return std::pair(one.first, one); }, never, begin,
+          values);
+      EXPECT_EQ(values, all);
+      ASSERT_EQ(begin.size(), keys + 1);
+      for (std::uint32_t key = 0; key < keys; ++key) {
+        for (std::uint32_t i = begin[key]; i < begin[key + 1]; ++i) EXPECT_EQ(values[i].first, key);
+      }
+      EXPECT_EQ(begin.back(), all.size());
+    }
+  }
+}
+
+TEST(ShareByKey, SlicesTakeNoMoreMemoryThanValues) {
+  Team team(8, true);
+  Cancellation never;
+  never.join(team);
+  EXPECT_EQ(slices_for<std::uint64_t>(1000, 10, never), 8U);
+  EXPECT_EQ(slices_for<std::uint64_t>(1000, 499, never), 4U);
+  EXPECT_EQ(slices_for<std::uint64_t>(1000, 100'000, never), 1U);
 }
 
 TEST(Team, LeavesLittleWorkToOneThread) {

@@ -1,6 +1,7 @@
 // A sum is the same on any number of threads: its bytes, its statistics, its errors.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <stdexcept>
 #include <thread>
@@ -135,6 +136,29 @@ TEST(Threads, WorkspacesAreReused) {
     SumSettings settings = on_threads(1 + i % 4);
     settings.memory = &memory;
     EXPECT_EQ(minkowski_sum(pair.p, pair.q, settings), minkowski_sum(pair.p, pair.q));
+  }
+}
+
+TEST(Threads, WorkspacesAreReusedAfterSumsThatWereStopped) {
+  // Many segments in cells of grids of many sizes, sorted in as many slices as there are threads.
+  Random random(8);
+  const Region star = test::spiky_star(random, 90, 1000000);
+  const Region other = test::spiky_star(random, 80, 90000);
+  const Region sum = minkowski_sum(star, other);
+  Workspace memory;
+  for (std::size_t last = 0, i = 0; last < 400; last += 1 + last / 10, ++i) {
+    SCOPED_TRACE(last);
+    SumSettings settings = on_threads(std::array{3, 1, 8, 2, 2}[i % 5]);
+    settings.grid = std::array{32, 512, 64}[i % 3];
+    Region result;
+    ASSERT_TRUE(minkowski_sum(star, other, settings, memory, result).ok());
+    EXPECT_EQ(result, sum);
+    std::size_t looks = 0;
+    settings.progress = [&](const Progress&) { return looks++ < last; };
+    const Outcome outcome = minkowski_sum(star, other, settings, memory, result);
+    if (!outcome.ok()) {
+      EXPECT_EQ(outcome.error->code(), ErrorCode::kCancelled);
+    }
   }
 }
 
