@@ -172,6 +172,14 @@ Region turned_in_doubles(const Region& region, Random& random) {
   return validate(turned).empty() ? turned : region;
 }
 
+bool have_equal_origins(const Region& a, const Region& b) {
+  if (a.has_origins() != b.has_origins()) return false;
+  for (std::size_t v = 0; a.has_origins() && v < a.vertex_count(); ++v) {
+    if (a.origin(v) != b.origin(v)) return false;
+  }
+  return true;
+}
+
 void compare(std::uint64_t seed) {
   Random random(seed);
   Region p = transform(random_shape(random), random_map(random));
@@ -205,7 +213,10 @@ void compare(std::uint64_t seed) {
   EXPECT_EQ(to_text(of_prepared), to_text(sum)) << note(seed, p, q);
   if (seed % 8 == 0) {
     EXPECT_EQ(provenance_fault(p, q, sum), "") << note(seed, p, q);
-    EXPECT_EQ(provenance_fault(p, q, of_prepared), "") << note(seed, p, q);
+    // Checking takes long, and equal origins of equal regions are as good as those above.
+    if (!have_equal_origins(of_prepared, sum)) {
+      EXPECT_EQ(provenance_fault(p, q, of_prepared), "") << note(seed, p, q);
+    }
   }
 }
 
