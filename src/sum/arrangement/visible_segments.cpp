@@ -310,7 +310,7 @@ std::span<const Segment> list_visible(const Operands& o, std::span<const Segment
   const CoveredBlocks covered(cover, scratch.uncovered, scratch.blocks);
   const std::size_t tasks = tasks_for(segments.size(), cancellation);
   const auto first_of = [&](std::size_t task) { return begin_of(task, tasks, segments.size()); };
-  scratch.begin.resize(tasks);
+  scratch.end_of_task.resize(tasks);
   share(tasks, cancellation, [&](std::size_t task, std::size_t, Cancellation& own) {
     std::size_t end = first_of(task);
     // There is no branch on which segments are hidden, because that is hard to predict.
@@ -321,12 +321,12 @@ std::span<const Segment> list_visible(const Operands& o, std::span<const Segment
                       const bool copy = o.equal && is_copy(o, segment);
                       end += (hidden | copy) ? 0U : 1U;
                     });
-    scratch.begin[task] = static_cast<std::uint32_t>(end);
+    scratch.end_of_task[task] = end;
   });
-  std::size_t count = scratch.begin[0];
+  std::size_t count = scratch.end_of_task[0];
   for (std::size_t task = 1; task < tasks; ++task) {
     visit_in_pieces(
-        std::span(visible).subspan(first_of(task), scratch.begin[task] - first_of(task)),
+        std::span(visible).subspan(first_of(task), scratch.end_of_task[task] - first_of(task)),
         cancellation, [&](const Segment& segment) { visible[count++] = segment; });
   }
   visible.resize(count);

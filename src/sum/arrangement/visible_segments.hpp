@@ -63,8 +63,8 @@ struct VisibleScratch {
   std::vector<RunPair> pairs;        ///< to begin with
   std::vector<RunScratch> searches;  ///< by thread
   std::vector<Segment> visible;
-  std::vector<std::uint32_t> begin;  ///< by site: where its segments begin in `visible`; or by
-                                     ///< task: where those end that it has found
+  std::vector<std::uint32_t> begin;      ///< by site: where its segments begin in `visible`
+  std::vector<std::size_t> end_of_task;  ///< where what it has found ends in `visible`
 };
 
 /// Lists the segments that may touch uncovered cells of an active cover, in the convolution's
