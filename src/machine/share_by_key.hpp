@@ -11,8 +11,8 @@
 
 namespace minksum {
 
-/// Calls visit(list, element) for the elements [begin, end) of several lists. `list_of(i)` returns
-/// the list i. Indices run through all lists.
+/// Calls visit(i, element) for the elements [begin, end) of several lists, of which `list_of(i)`
+/// returns one. Indices of elements count through all lists, one list after the other.
 template <class ListOf, class Visit>
 void visit_range(std::size_t lists, ListOf list_of, std::size_t begin, std::size_t end,
                  Cancellation& cancellation, Visit visit) {
@@ -43,8 +43,8 @@ template <class Value>
 /// Lists the values of several lists by key, as `list_by_key` does. `keyed(i, element)` returns the
 /// key and the value of an element of list i. O(values + keys).
 ///
-/// Each slice of the values has a count for each key. From these follows where each slice puts its
-/// values, so slices do not wait for one another.
+/// The values are divided into slices. Each slice counts its values for each key. From all counts
+/// follows where each slice puts its values, so slices do not wait for one another.
 template <class Value, class ListOf, class Keyed>
 void share_by_key(std::size_t keys, std::size_t lists, ListOf list_of, Keyed keyed,
                   Cancellation& cancellation, std::vector<std::uint32_t>& begin,

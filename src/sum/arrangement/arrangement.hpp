@@ -93,10 +93,11 @@ struct alignas(64) CellPart {   // threads fill neighbours: each needs cache lin
   KeptId kept = 0;
 };
 
-/// The cells of a slice of all items, while a thread sorts them.
+/// What a thread notes of its slice of all items while it sorts them by cell. The last slice has
+/// the stage's own `cell_end` in the place of `end`, and the first one `cells` of the stage.
 struct alignas(64) CellSlice {       // threads fill neighbours: each needs cache lines of its own
-  std::vector<std::uint32_t> end;    ///< by cell: as `cell_end`, which the last slice has
-  std::vector<std::uint32_t> cells;  ///< as `cells`, which the first slice has
+  std::vector<std::uint32_t> end;    ///< by cell: how many items, and then where they end
+  std::vector<std::uint32_t> cells;  ///< cells that have items
 };
 
 /// A point on a kept segment where another one meets it.

@@ -215,7 +215,7 @@ class Binner {
   }
 
   /// Sorts items by cell, unless cells are too crowded. This counting sort only visits cells that
-  /// have items: each slice lists those that it comes to first, in this order.
+  /// have items. Each slice lists the cells of its items, in the order in which it comes to them.
   void sort_by_cells() {
     std::size_t count = 0;
     for (const CellPart& part : scratch_.parts) count += part.items.size();
@@ -269,7 +269,7 @@ class Binner {
     });
   }
 
-  /// Returns into how many slices to divide so many items. Leaves no cell with items in any slice.
+  /// Returns into how many slices to divide so many items. Sets all counts of all slices to zero.
   std::size_t start_slices(std::size_t items) {
     const auto cell_count = static_cast<std::size_t>(grid_.size());
     const std::size_t slices = slices_for<CellItem>(items, cell_count, cancellation_);
@@ -280,7 +280,7 @@ class Binner {
         if (cell < end.size()) end[cell] = 0;
       }
     };
-    // An operation that was cancelled may have left counts that only its slices' lists tell of.
+    // A sum that was cancelled may have left counts of cells that only the slices have listed.
     const auto start = [&](std::vector<std::uint32_t>& end, bool wanted) {
       clear(scratch_.cells, end);
       for (const CellSlice& slice : scratch_.slices) clear(slice.cells, end);

@@ -250,7 +250,8 @@ void find_crossings(const Cover& cover, const SumSettings& options, Predicates& 
              tasks == 1) {
     solve_tasks(1, [](CrossingFinder& finder, std::size_t) { finder.solve_crowd(); });
   } else {
-    // About one large part for each thread, which then divides its own.
+    // First about one large part for each thread. A part may have half again as many segments as
+    // an even share, because segments on the border of two parts are in both.
     std::vector<UndividedPart> large;
     solve_tasks(1, [&](CrossingFinder& finder, std::size_t) {
       finder.split_crowd(3 * (scratch.line_count / 2) / members_of(cancellation), large);

@@ -64,7 +64,7 @@ struct VisibleScratch {
   std::vector<RunScratch> searches;  ///< by thread
   std::vector<Segment> visible;
   std::vector<std::uint32_t> begin;      ///< by site: where its segments begin in `visible`
-  std::vector<std::size_t> end_of_task;  ///< where what it has found ends in `visible`
+  std::vector<std::size_t> end_of_task;  ///< by task: where its segments end in `visible`
 };
 
 /// Lists the segments that may touch uncovered cells of an active cover, in the convolution's

@@ -273,7 +273,7 @@ std::uint64_t rasterise(const EdgesOfOperands& edges, const UniformGrid& grid,
     return Rasteriser(edges[operand], grid, words, scratch.boundary[operand], own,
                       scratch.raster[operand]);
   };
-  std::uint64_t units = 0;
+  std::uint64_t units = 0;  // one thread need not know
   if (members_of(cancellation) > 1) {
     // Edges are walked along, and some passes go over all words.
     units = words * static_cast<std::uint64_t>(grid.rows) / 2;
