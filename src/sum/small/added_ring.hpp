@@ -63,7 +63,10 @@ class AddedRing {
       : s_(s), begin_(static_cast<std::uint32_t>(filled_up(s.entries))) {}
 
   [[nodiscard]] double* row(SmallOperand::Row at) const { return s_[at] + begin_; }
-  [[nodiscard]] Vec<Integer>* whole() const { return s_.whole<Integer>().data() + begin_; }
+  /// The exact places. There are none if the operand is not wide.
+  [[nodiscard]] Vec<Integer>* whole() const {
+    return kWide ? s_.whole<Integer>().data() + begin_ : nullptr;
+  }
   /// Adds the ring of `size` vertices. `left` is the smallest x of these. Turns it so that the
   /// region is on its left, and drops vertices in the middle of straight edges. Returns false if it
   /// has a spike or less than three vertices.
