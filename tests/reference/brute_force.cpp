@@ -50,8 +50,8 @@ class ConvexUnion {
     const std::vector<Piece> pieces = split_at_nodes();
     std::vector<Pt> points;
     for (const auto& node : nodes_) {
-      points.push_back(
-          {Number(Integer(node.x), Integer(node.w)), Number(Integer(node.y), Integer(node.w))});
+      points.push_back({Number(to_integer(node.x), to_integer(node.w)),
+                        Number(to_integer(node.y), to_integer(node.w))});
     }
     return link(points, pieces);
   }
@@ -176,7 +176,7 @@ std::vector<IntLoop<Int>> all_pieces(const Loops& rings, const Loops& thin) {
 
 template <class Int>
 Point unscaled(const IntPt<Int>& p, const Integer& scale) {
-  return {to_rational(Number(Integer(p.x), scale)), to_rational(Number(Integer(p.y), scale))};
+  return {to_rational(Number(to_integer(p.x), scale)), to_rational(Number(to_integer(p.y), scale))};
 }
 
 // Returns the region of the sum, not yet scaled down, and segments and points, which may overlap.

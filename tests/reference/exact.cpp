@@ -4,16 +4,34 @@
 
 namespace minksum::reference {
 
-Number to_number(const Rational& value) { return Number(value.to_string()); }
+namespace {
+
+Integer from_limbs(const std::vector<std::uint64_t>& limbs) {
+  Integer value = 0;
+  for (auto limb = limbs.rbegin(); limb != limbs.rend(); ++limb) value = (value << 64) + *limb;
+  return value;
+}
+
+std::vector<std::uint64_t> to_limbs(Integer value) {
+  std::vector<std::uint64_t> limbs;
+  for (; value != 0; value >>= 64) {
+    limbs.push_back(Integer(value & std::uint64_t{0xFFFFFFFFFFFFFFFF}).convert_to<std::uint64_t>());
+  }
+  return limbs;
+}
+
+}  // namespace
+
+// Numbers may have more digits than parsing accepts, so the limbs are used.
+Number to_number(const Rational& value) {
+  const Rational::Limbs limbs = value.limbs();
+  const Integer numerator = from_limbs(limbs.numerator);
+  return {limbs.negative ? Integer(-numerator) : numerator, from_limbs(limbs.denominator)};
+}
 
 Rational to_rational(const Number& value) {
-  // Exact results may have more digits than parsing accepts, so the limbs are used.
-  const Integer numerator = abs(boost::multiprecision::numerator(value));
-  const Integer denominator = boost::multiprecision::denominator(value);
-  std::vector<std::uint64_t> n;
-  std::vector<std::uint64_t> d;
-  export_bits(numerator, std::back_inserter(n), 64, false);
-  export_bits(denominator, std::back_inserter(d), 64, false);
+  const auto n = to_limbs(abs(numerator(value)));
+  const auto d = to_limbs(denominator(value));
   return Rational::from_limbs(value < 0, n.data(), n.size(), d.data(), d.size());
 }
 

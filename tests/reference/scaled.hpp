@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -39,6 +41,29 @@ struct Scaled {
 [[nodiscard]] Scaled scale_up(const Region& p, const Region& q, Loops thin_p = {},
                               Loops thin_q = {});
 
+/// Returns the same integer, of any size.
+template <class Int>
+[[nodiscard]] Integer to_integer(const Int& value) {
+  if constexpr (std::is_same_v<Int, Int128>) {
+    return (Integer(static_cast<std::int64_t>(value >> 64)) << 64) +
+           static_cast<std::uint64_t>(value);
+  } else {
+    return Integer(value);
+  }
+}
+/// Returns the same integer, which must fit.
+template <class Int>
+[[nodiscard]] Int to_int(const Integer& value) {
+  if constexpr (std::is_same_v<Int, Int128>) {
+    // Shifting rounds down, so the rest is not negative.
+    const Integer high(value >> 64);
+    return (static_cast<Int128>(high.convert_to<std::int64_t>()) << 64) +
+           Integer(value - (high << 64)).convert_to<std::uint64_t>();
+  } else {
+    return value.convert_to<Int>();
+  }
+}
+
 /// Returns loops whose coordinates are integers.
 template <class Int>
 [[nodiscard]] std::vector<IntLoop<Int>> to_int(const Loops& loops) {
@@ -46,7 +71,7 @@ template <class Int>
   for (const Loop& loop : loops) {
     IntLoop<Int> ring;
     for (const Pt& p : loop) {
-      ring.push_back({numerator(p.x).convert_to<Int>(), numerator(p.y).convert_to<Int>()});
+      ring.push_back({to_int<Int>(numerator(p.x)), to_int<Int>(numerator(p.y))});
     }
     result.push_back(std::move(ring));
   }

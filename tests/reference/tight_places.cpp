@@ -91,9 +91,9 @@ class ConvexSums {
 
   void look_along(const IntPt<Int>& a, const IntPt<Int>& d) {
     const auto at = [&](const F& t) {
-      const Number position(Integer(t.n), Integer(t.d));
-      return Pt{Number(Number(Integer(a.x)) + position * Number(Integer(d.x))),
-                Number(Number(Integer(a.y)) + position * Number(Integer(d.y)))};
+      const Number position(to_integer(t.n), to_integer(t.d));
+      return Pt{Number(Number(to_integer(a.x)) + position * Number(to_integer(d.x))),
+                Number(Number(to_integer(a.y)) + position * Number(to_integer(d.y)))};
     };
     const auto not_inside = left_over(parts(a, d, false));
     const auto beside = parts(a, d, true);
