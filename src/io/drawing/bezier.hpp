@@ -1,9 +1,12 @@
 // Defines rational Bezier curves over doubles, which choose, and over intervals, which prove.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
+
+#include "io/drawing/interval.hpp"
 
 namespace minksum::io {
 
@@ -24,6 +27,18 @@ class Bezier {
  public:
   static constexpr std::size_t kMostControls = 12;
 
+  Bezier() = default;
+  // Most curves have few control points, and copying all twelve takes longer than splitting them.
+  Bezier(const Bezier& other) : size_(other.size_) {
+    std::copy_n(other.controls_.begin(), size_, controls_.begin());
+  }
+  Bezier& operator=(const Bezier& other) {
+    size_ = other.size_;
+    std::copy_n(other.controls_.begin(), size_, controls_.begin());
+    return *this;
+  }
+  ~Bezier() = default;
+
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const Control<N>& operator[](std::size_t i) const { return controls_[i]; }
   [[nodiscard]] Control<N>& operator[](std::size_t i) { return controls_[i]; }
@@ -37,20 +52,12 @@ class Bezier {
 
   /// Returns the curves before and behind parameter t, by de Casteljau's algorithm.
   [[nodiscard]] std::pair<Bezier, Bezier> split(const N& t) const {
-    std::pair<Bezier, Bezier> halves;
-    auto& [before, behind] = halves;
-    behind = *this;
-    before.size_ = size_;
     const N rest = N(1.0) - t;
-    for (std::size_t k = 0; k < size_; ++k) {
-      before.controls_[k] = behind.controls_[0];
-      for (std::size_t i = 0; i + k + 1 < size_; ++i) {
-        const Control<N>& a = behind.controls_[i];
-        const Control<N>& b = behind.controls_[i + 1];
-        behind.controls_[i] = {a.x * rest + b.x * t, a.y * rest + b.y * t, a.w * rest + b.w * t};
-      }
-    }
-    return halves;
+    return split_by([&](const N& a, const N& b) { return a * rest + b * t; });
+  }
+  /// Returns the curves before and behind 1/2.
+  [[nodiscard]] std::pair<Bezier, Bezier> halves() const {
+    return split_by([](const N& a, const N& b) { return half_of(a + b); });
   }
   /// Returns the curve from parameter t to parameter u, 0 ≤ t < u ≤ 1.
   [[nodiscard]] Bezier between(double t, double u) const {
@@ -64,7 +71,25 @@ class Bezier {
   }
 
  private:
-  std::array<Control<N>, kMostControls> controls_ = {};
+  /// `between` returns the number between two others at the parameter.
+  template <class Between>
+  [[nodiscard]] std::pair<Bezier, Bezier> split_by(Between between) const {
+    std::pair<Bezier, Bezier> parts;
+    auto& [before, behind] = parts;
+    behind = *this;
+    before.size_ = size_;
+    for (std::size_t k = 0; k < size_; ++k) {
+      before.controls_[k] = behind.controls_[0];
+      for (std::size_t i = 0; i + k + 1 < size_; ++i) {
+        const Control<N>& a = behind.controls_[i];
+        const Control<N>& b = behind.controls_[i + 1];
+        behind.controls_[i] = {between(a.x, b.x), between(a.y, b.y), between(a.w, b.w)};
+      }
+    }
+    return parts;
+  }
+
+  std::array<Control<N>, kMostControls> controls_;
   std::size_t size_ = 0;
 };
 
@@ -72,9 +97,9 @@ class Bezier {
 /// the curve than its own hull is. Points where quarters meet come once.
 template <class N, class Visit>
 void for_each_control(const Bezier<N>& curve, Visit visit) {
-  const auto [first, second] = curve.split(N(0.5));
-  const auto [a, b] = first.split(N(0.5));
-  const auto [c, d] = second.split(N(0.5));
+  const auto [first, second] = curve.halves();
+  const auto [a, b] = first.halves();
+  const auto [c, d] = second.halves();
   bool begun = false;
   for (const Bezier<N>* const quarter : {&a, &b, &c, &d}) {
     for (std::size_t i = begun ? 1 : 0; i < quarter->size(); ++i) visit(quarter->at(i));

@@ -4,16 +4,9 @@
 #include <cmath>
 
 #include "io/drawing/cuts.hpp"
-#include "minksum/error.hpp"
 
 namespace minksum::io {
 namespace {
-
-[[noreturn]] void fail_too_small() {
-  throw Error(ErrorCode::kLimitExceeded,
-              "the tolerance is too small for this curve beside its coordinates, which are proved "
-              "in doubles");
-}
 
 Interval cross(const Span& a, const Span& b) { return a.x * b.y - a.y * b.x; }
 Interval dot(const Span& a, const Span& b) { return a.x * b.x + a.y * b.y; }
@@ -27,19 +20,29 @@ struct Cut {
   double behind = 0;  ///< against one quadrilateral; what lies between is tested against both
 };
 
+/// A cut as seen from a point.
+struct SeenCut {
+  Span left, right, vertex;
+
+  SeenCut(const Point& origin, const Cut& cut)
+      : left(span_between(origin, cut.left)),
+        right(span_between(origin, cut.right)),
+        vertex(span_between(origin, cut.vertex)) {}
+};
+
 /// The corners of a quadrilateral from cut 0 to cut 1, and both vertices.
 struct Quad {
   Span left0, right0, left1, right1, vertex0, vertex1;
   bool begins = false;  ///< whether the curve begins at cut 0, which then is a point
   bool ends = false;
 
-  Quad(const Point& origin, const Cut& a, const Cut& b, bool begins_here, bool ends_here)
-      : left0(span_between(origin, a.left)),
-        right0(span_between(origin, a.right)),
-        left1(span_between(origin, b.left)),
-        right1(span_between(origin, b.right)),
-        vertex0(span_between(origin, a.vertex)),
-        vertex1(span_between(origin, b.vertex)),
+  Quad(const SeenCut& a, const SeenCut& b, bool begins_here, bool ends_here)
+      : left0(a.left),
+        right0(a.right),
+        left1(b.left),
+        right1(b.right),
+        vertex0(a.vertex),
+        vertex1(b.vertex),
         begins(begins_here),
         ends(ends_here) {}
 
@@ -104,22 +107,27 @@ class Ribbon {
  public:
   Ribbon(const Curve& curve, double width, double tolerance, RoundingSide side,
          const VertexGrid& grid, Cancellation& cancellation)
-      : curve_(curve), grid_(grid), tolerance_(tolerance), side_(side) {
-    const DoubleCurve near = middle_of(curve);
-    pieces_ = cut(near, width, width / 4, cancellation);
-    cuts_.resize(pieces_.size() + 1);
+      : curve_(curve),
+        grid_(grid),
+        grid_view_(grid, curve.from),
+        tolerance_(tolerance),
+        side_(side),
+        near_(middle_of(curve)),
+        pieces_(cut(near_, width, width / 4, cancellation)),
+        cuts_(pieces_.size() + 1) {
     cuts_.front() = {curve.from, curve.from, curve.from, 0, 0};
     cuts_.back() = {curve.to, curve.to, curve.to, 1, 1};
-    for (std::size_t i = 1; i < pieces_.size(); ++i) {
-      cancellation.check(1000);
-      place(near, i);
-    }
+    seen_.reserve(cuts_.size());
+    seen_.emplace_back(curve.from, cuts_.front());
   }
 
-  /// Tells whether the curve and its tolerance are proved. Sets boxes on the way.
+  /// Tells whether the curve and its tolerance are proved. Places cuts and sets boxes on the way,
+  /// because most proofs that fail do so at the first piece.
   [[nodiscard]] bool is_proved(Cancellation& cancellation) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      cancellation.check(1000);
+      cancellation.check(2000);
+      if (i + 1 < pieces_.size()) place(i + 1);
+      seen_.emplace_back(curve_.from, cuts_[i + 1]);
       if (!(pieces_[i].boxed ? box(i) : piece_is_held(i))) return false;
       if (i > 0 && !pieces_[i - 1].boxed && !pieces_[i].boxed && !cut_is_held(i)) return false;
     }
@@ -157,10 +165,10 @@ class Ribbon {
 
  private:
   /// Sets cut i, between two pieces, at right angles to the curve.
-  void place(const DoubleCurve& near, std::size_t i) {
+  void place(std::size_t i) {
     const Piece& before = pieces_[i - 1];
     const Piece& behind = pieces_[i];
-    const auto end = near[before.part].between(before.begin, before.end).back();
+    const auto end = near_[before.part].between(before.begin, before.end).back();
     const auto x = end.x;
     const auto y = end.y;
     Vector<double> along{0, 0};
@@ -174,7 +182,7 @@ class Ribbon {
     }
     const double step = grid_.size();
     Cut& cut = cuts_[i];
-    cut.vertex = grid_.near(curve_.from, x, y);
+    cut.vertex = grid_view_.near(x, y);
     cut.left = cut.right = cut.vertex;
     if (count == 0) return;
     // Moved edges meet so much farther away than the edges are moved.
@@ -199,23 +207,23 @@ class Ribbon {
     // Ends are rounded by less than a step, and what lies beside the cut bends less than a step.
     const double margin = 2 * step;
     const auto at = [&](double width) {
-      return grid_.near(curve_.from, x + width * across.x, y + width * across.y);
+      return grid_view_.near(x + width * across.x, y + width * across.y);
     };
     cut.right = at(-(right + margin));
     cut.left = at(left + margin);
     cut.vertex = side_ == RoundingSide::kNearest ? at((left - right) / 2) : cut.right;
-    cut.before = before.boxed ? before.end : beside(near, before, false);
-    cut.behind = behind.boxed ? behind.begin : beside(near, behind, true);
+    cut.before = before.boxed ? before.end : beside(before, false);
+    cut.behind = behind.boxed ? behind.begin : beside(behind, true);
   }
 
   /// Returns the parameter of a piece that is some steps behind its begin, or before its end.
-  [[nodiscard]] double beside(const DoubleCurve& near, const Piece& piece, bool behind) const {
+  [[nodiscard]] double beside(const Piece& piece, bool behind) const {
     const double length = piece.end - piece.begin;
     double size = std::min(2 * grid_.size() / piece.extent.length, 0.25) * length;
     for (; size < length / 4; size *= 2) {
       const double at = behind ? piece.begin + size : piece.end - size;
-      const Bezier<double> rest = behind ? near[piece.part].between(piece.begin, at)
-                                         : near[piece.part].between(at, piece.end);
+      const Bezier<double> rest = behind ? near_[piece.part].between(piece.begin, at)
+                                         : near_[piece.part].between(at, piece.end);
       const auto [ax, ay] = rest.front();
       const auto [bx, by] = rest.back();
       if (std::hypot(bx - ax, by - ay) >= 1.5 * grid_.size()) break;
@@ -223,8 +231,13 @@ class Ribbon {
     return behind ? piece.begin + size : piece.end - size;
   }
 
-  [[nodiscard]] Quad quad(const Point& origin, std::size_t i) const {
-    return {origin, cuts_[i], cuts_[i + 1], i == 0, i + 1 == pieces_.size()};
+  [[nodiscard]] Quad quad(std::size_t i) const {
+    return {seen_[i], seen_[i + 1], i == 0, i + 1 == pieces_.size()};
+  }
+  /// Returns the last one as seen from the end of the curve.
+  [[nodiscard]] Quad last_quad() const {
+    const std::size_t last = pieces_.size() - 1;
+    return {SeenCut(curve_.to, cuts_[last]), SeenCut(curve_.to, cuts_[last + 1]), last == 0, true};
   }
 
   template <class Test>
@@ -237,7 +250,7 @@ class Ribbon {
   [[nodiscard]] bool piece_is_held(std::size_t i) const {
     const Piece& piece = pieces_[i];
     const bool last = i + 1 == pieces_.size();
-    const Quad here = quad(last ? curve_.to : curve_.from, i);
+    const Quad here = last ? last_quad() : quad(i);
     if (!here.is_convex() || !here.is_within(tolerance_, side_)) return false;
     const double begin = i == 0 ? piece.begin : cuts_[i].behind;
     const double end = last ? piece.end : cuts_[i + 1].before;
@@ -248,8 +261,8 @@ class Ribbon {
   }
 
   [[nodiscard]] bool cut_is_held(std::size_t i) const {
-    const Quad before = quad(curve_.from, i - 1);
-    const Quad behind = quad(curve_.from, i);
+    const Quad before = quad(i - 1);
+    const Quad behind = quad(i);
     const auto test = [&](const Span& p) {
       return before.holds_beside(p) && behind.holds_beside(p) && before.is_behind_begin(p) &&
              behind.is_before_end(p);
@@ -280,14 +293,12 @@ class Ribbon {
     for_each_control(curve_.parts[piece.part].between(piece.begin, piece.end), take);
     if (i > 0 && !pieces_[i - 1].boxed) for_each_control(before_cut(i), take);
     if (i + 1 < pieces_.size() && !pieces_[i + 1].boxed) for_each_control(behind_cut(i + 1), take);
-    for (const Cut* const cut : {&cuts_[i], &cuts_[i + 1]}) {
-      for (const Point* const p : {&cut->left, &cut->right, &cut->vertex}) {
-        take(span_between(curve_.from, *p));
-      }
+    for (const SeenCut* const cut : {&seen_[i], &seen_[i + 1]}) {
+      for (const Span& p : {cut->left, cut->right, cut->vertex}) take(p);
     }
     const double step = grid_.size();
-    const Point low = grid_.near(curve_.from, low_x - step, low_y - step);
-    const Point high = grid_.near(curve_.from, high_x + step, high_y + step);
+    const Point low = grid_view_.near(low_x - step, low_y - step);
+    const Point high = grid_view_.near(high_x + step, high_y + step);
     boxes_.emplace_back(low, high);
     const Rational width = high.x - low.x;
     const Rational height = high.y - low.y;
@@ -296,40 +307,17 @@ class Ribbon {
 
   const Curve& curve_;
   const VertexGrid& grid_;
+  GridView grid_view_;
   double tolerance_;
   RoundingSide side_;
+  DoubleCurve near_;
   std::vector<Piece> pieces_;
   std::vector<Cut> cuts_;
+  std::vector<SeenCut> seen_;  ///< from the curve's begin
   std::vector<std::pair<Point, Point>> boxes_;
 };
 
 }  // namespace
-
-VertexGrid::VertexGrid(const Rational& tolerance) {
-  const Rational bound = tolerance / Rational(256);
-  const auto bits = [](const Rational& integer) { return static_cast<double>(integer.bits()); };
-  // This logarithm is at most 1 off.
-  const double log2 = bits(bound.numerator()) - bits(bound.denominator());
-  exponent_ = static_cast<int>(std::floor((log2 + 1) * 0.30103)) + 1;
-  const auto power = [](int exponent) { return Rational(Decimal{1, exponent}); };
-  while (bound < power(exponent_)) --exponent_;
-  step_ = power(exponent_);
-  size_ = step_.to_double();
-  if (!(size_ > 1e-200 && size_ < 1e200)) fail_too_small();
-}
-
-Rational VertexGrid::at(double steps) const {
-  constexpr double kMost = 0x1p50;
-  if (!(std::abs(steps) < kMost)) fail_too_small();
-  return Rational(Decimal{static_cast<std::int64_t>(std::llround(steps)), exponent_});
-}
-
-Rational VertexGrid::near(const Rational& value) const { return at((value / step_).to_double()); }
-
-Point VertexGrid::near(const Point& origin, double x, double y) const {
-  if (!std::isfinite(x) || !std::isfinite(y)) fail_too_small();
-  return {near(origin.x + Rational(x)), near(origin.y + Rational(y))};
-}
 
 Flattener::Flattener(const Rational& tolerance, RoundingSide side)
     : tolerance_(std::max(Interval::of(tolerance).low, 0.0)), side_(side), grid_(tolerance) {}
@@ -344,7 +332,7 @@ void Flattener::flatten(const Curve& curve, std::vector<Point>& path, Region& ri
       size = std::max({size, std::abs(x.low), std::abs(x.high), std::abs(y.low), std::abs(y.high)});
     }
   }
-  if (!(tolerance_ > 1e-10 * size && size < 1e100)) fail_too_small();
+  if (!(tolerance_ > 1e-10 * size && size < 1e100)) fail_too_small_tolerance();
   // Nine steps are for rounding. If a proof fails, the curve is cut into more pieces.
   double width = (side_ == RoundingSide::kNearest ? 2 : 1) * tolerance_ - 9 * grid_.size();
   for (; width > tolerance_ / 16; width *= 0.8) {
@@ -352,7 +340,7 @@ void Flattener::flatten(const Curve& curve, std::vector<Point>& path, Region& ri
     if (!ribbon.is_proved(cancellation)) continue;
     return ribbon.write(path, ribbons);
   }
-  fail_too_small();
+  fail_too_small_tolerance();
 }
 
 }  // namespace minksum::io

@@ -5,29 +5,11 @@
 #include <vector>
 
 #include "io/drawing/curve.hpp"
+#include "io/drawing/vertex_grid.hpp"
 #include "machine/cancellation.hpp"
 #include "minksum/round.hpp"
 
 namespace minksum::io {
-
-/// The decimals that vertices of curves have.
-class VertexGrid {
- public:
-  /// Makes the grid whose step is the largest power of ten up to a 256th of the tolerance.
-  explicit VertexGrid(const Rational& tolerance);
-  [[nodiscard]] const Rational& step() const { return step_; }
-  [[nodiscard]] double size() const { return size_; }
-  /// Returns the multiple of the step that is nearest to `origin` plus an offset. Throws
-  /// Error(kLimitExceeded) if doubles do not tell it.
-  [[nodiscard]] Point near(const Point& origin, double x, double y) const;
-  [[nodiscard]] Rational near(const Rational& value) const;
-
- private:
-  [[nodiscard]] Rational at(double steps) const;
-  int exponent_ = 0;
-  Rational step_;
-  double size_;
-};
 
 /// Flattens curves.
 ///

@@ -26,9 +26,7 @@ struct Interval {
     return near == 0 && value.sign() == 0 ? Interval() : widened(near, near);
   }
   /// Returns the interval with its ends rounded outwards.
-  static Interval widened(double low, double high) {
-    return {-next_above(-low), next_above(high)};
-  }
+  static Interval widened(double low, double high) { return {-next_above(-low), next_above(high)}; }
   [[nodiscard]] bool is_zero() const { return low == 0 && high == 0; }
   [[nodiscard]] double middle() const { return low + (high - low) / 2; }
 
@@ -53,6 +51,14 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   if (a.is_zero() || b.is_zero()) return {};
   const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
   return Interval::widened(std::min({p, q, r, s}), std::max({p, q, r, s}));
+}
+inline double half_of(double a) { return 0.5 * a; }
+/// Is exact, but for the smallest numbers.
+inline Interval half_of(const Interval& a) {
+  const Interval half(half_of(a.low), half_of(a.high));
+  return half.low + half.low == a.low && half.high + half.high == a.high
+             ? half
+             : Interval::widened(half.low, half.high);
 }
 /// `b` must not contain 0: the quotient is then not finite, and proves nothing.
 inline Interval operator/(const Interval& a, const Interval& b) {
