@@ -260,6 +260,44 @@ class Curves {
     return shape;
   }
 
+  /// A quadratic of SVG that turns back sharply. It does not cross itself, nor the straight way
+  /// back.
+  Shape hairpin() {
+    const Point a{number(-50, 50), number(-50, 50)};
+    const Point out{number(-90, 90), number(1, 90)};
+    const Rational back = number(0.05, 4);
+    const Rational aside = number(1, 10) * Rational(Decimal{1, -random_.between(1, 4)});
+    const Point b{a.x + out.x, a.y + out.y};
+    const Point c{b.x - back * out.x - aside * out.y, b.y - back * out.y + aside * out.x};
+    // The text has six digits.
+    const auto kept = [](const Point& p) {
+      return Point{*Rational::parse(text_of(p.x)), *Rational::parse(text_of(p.y))};
+    };
+    const std::array<Point, 3> controls = {kept(a), kept(b), kept(c)};
+    Shape shape;
+    shape.convex = false;  // it may be thinner than a tolerance
+    constexpr int kPoints = 400;
+    const auto at = [&](const Rational& t) {
+      const Rational s = Rational(1) - t;
+      const auto mixed = [&](const Rational& p, const Rational& q, const Rational& r) {
+        return s * s * p + Rational(2) * s * t * q + t * t * r;
+      };
+      const auto& [p, q, r] = controls;
+      return Point{mixed(p.x, q.x, r.x), mixed(p.y, q.y, r.y)};
+    };
+    for (int i = 0; i <= kPoints; ++i) shape.on_curve.push_back(at(Rational(i, kPoints)));
+    double off = 0;
+    for (std::size_t i = 0; i < kPoints; ++i) {
+      const Near between = near(at(Rational(2 * i + 1, 2 * kPoints)));
+      off = std::max(off, distance(between, near(shape.on_curve[i]), near(shape.on_curve[i + 1])));
+    }
+    shape.sag = 2 * off;
+    const auto flipped = [](const Point& p) { return text_of(Point{p.x, -p.y}); };
+    shape.text = "<svg><path d=\"M" + flipped(controls[0]) + "Q" + flipped(controls[1]) + " " +
+                 flipped(controls[2]) + "\"/></svg>";
+    return shape;
+  }
+
   /// A cubic of SVG, or one span or several of a rational B-spline of DXF. It goes to the right all
   /// the way, so that it does not cross itself.
   Shape spline(bool is_path) {
@@ -389,6 +427,14 @@ TEST(Drawings, SplinesLieOnTheirSideWithinTheTolerance) {
     check(path, curves.tolerance(), 41);
     const Shape spline = curves.spline(false);
     check(spline, curves.tolerance(), 41);
+  });
+}
+
+TEST(Drawings, HairpinsLieOnTheirSideWithinTheTolerance) {
+  for_random_cases(200, [](Random& random) {
+    Curves curves(random);
+    const Shape shape = curves.hairpin();
+    check(shape, curves.tolerance(), 41);
   });
 }
 

@@ -333,9 +333,11 @@ void Flattener::flatten(const Curve& curve, std::vector<Point>& path, Region& ri
     }
   }
   if (!(tolerance_ > 1e-10 * size && size < 1e100)) fail_too_small_tolerance();
-  // Nine steps are for rounding. If a proof fails, the curve is cut into more pieces.
+  // Nine steps are for rounding. If a proof fails, the curve is cut into more pieces. Turns as
+  // sharp as that of a hairpin may need pieces much narrower than the tolerance. Cuts are wider
+  // than these by four steps, so those of fewer than six would be hardly narrower.
   double width = (side_ == RoundingSide::kNearest ? 2 : 1) * tolerance_ - 9 * grid_.size();
-  for (; width > tolerance_ / 16; width *= 0.8) {
+  for (; width > 6 * grid_.size(); width *= 0.8) {
     Ribbon ribbon(curve, width, tolerance_, side_, grid_, cancellation);
     if (!ribbon.is_proved(cancellation)) continue;
     return ribbon.write(path, ribbons);
