@@ -17,7 +17,7 @@ class Cutter {
   Cutter(const DoubleCurve& curve, double width, double diameter, Cancellation& cancellation)
       : curve_(curve), width_(width), diameter_(diameter), cancellation_(cancellation) {}
 
-  std::vector<Piece> run() {
+  std::vector<Piece> run(bool box_turns) {
     const std::size_t last = curve_.size() - 1;
     for (std::size_t part = 0; part < last; ++part) cut_evenly(part, 0, 1);
     // The last piece ends with the curve, and so it is found backwards.
@@ -27,6 +27,7 @@ class Cutter {
     if (last == 0) add(0, 0, begin);
     if (begin < end) cut_evenly(last, begin, end);
     add(last, end, 1);
+    if (box_turns) box_sharp_turns();
     return std::move(pieces_);
   }
 
@@ -112,6 +113,44 @@ class Cutter {
     pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
   }
 
+  /// Whether one piece leads back beside the other one.
+  static bool turn_sharply(const Piece& a, const Piece& b) {
+    const Vector<double>& in = a.extent.chord;
+    const Vector<double>& out = b.extent.chord;
+    return !a.boxed && !b.boxed && in.x * out.x + in.y * out.y < 0;
+  }
+  /// Makes boxed pieces of what lies beside a cut between two such pieces.
+  void box_sharp_turns() {
+    std::vector<Piece> pieces;
+    const auto add_boxed = [&](const Piece& of, bool at_begin) {
+      double size = of.end - of.begin;
+      Piece boxed{};
+      do {
+        size /= 4;
+        boxed = at_begin ? piece(of.part, of.begin, of.begin + size)
+                         : piece(of.part, of.end - size, of.end);
+      } while (boxed.extent.diameter > diameter_);
+      boxed.boxed = true;
+      pieces.push_back(boxed);
+    };
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const Piece& whole = pieces_[i];
+      double begin = whole.begin;
+      if (i > 0 && turn_sharply(pieces_[i - 1], whole)) {
+        add_boxed(whole, true);
+        begin = pieces.back().end;
+      }
+      pieces.push_back(whole);
+      if (begin != whole.begin) pieces.back() = piece(whole.part, begin, whole.end);
+      if (i + 1 < pieces_.size() && turn_sharply(whole, pieces_[i + 1])) {
+        const std::size_t rest = pieces.size() - 1;
+        add_boxed(whole, false);
+        pieces[rest] = piece(whole.part, begin, pieces.back().begin);
+      }
+    }
+    pieces_ = std::move(pieces);
+  }
+
   const DoubleCurve& curve_;
   double width_;
   double diameter_;
@@ -177,9 +216,9 @@ Extent measure(const DoubleCurve& curve, std::size_t part, double begin, double 
   return extent;
 }
 
-std::vector<Piece> cut(const DoubleCurve& curve, double width, double diameter,
+std::vector<Piece> cut(const DoubleCurve& curve, double width, double diameter, bool box_turns,
                        Cancellation& cancellation) {
-  return Cutter(curve, width, diameter, cancellation).run();
+  return Cutter(curve, width, diameter, cancellation).run(box_turns);
 }
 
 }  // namespace minksum::io

@@ -36,8 +36,9 @@ using DoubleCurve = std::vector<Bezier<double>>;
 [[nodiscard]] Extent measure(const DoubleCurve& curve, std::size_t part, double begin, double end);
 
 /// Cuts the curve into pieces whose extents to both sides are at most `width`, or whose diameters
-/// are at most `diameter`. Throws Error(kLimitExceeded) for more than 2^20 pieces.
+/// are at most `diameter`. With `box_turns`, two pieces that meet at an acute angle have boxed ones
+/// between them. Throws Error(kLimitExceeded) for more than 2^20 pieces.
 [[nodiscard]] std::vector<Piece> cut(const DoubleCurve& curve, double width, double diameter,
-                                     Cancellation& cancellation);
+                                     bool box_turns, Cancellation& cancellation);
 
 }  // namespace minksum::io

@@ -105,7 +105,7 @@ struct Quad {
 /// The pieces of one curve, with what holds them.
 class Ribbon {
  public:
-  Ribbon(const Curve& curve, double width, double tolerance, RoundingSide side,
+  Ribbon(const Curve& curve, double width, bool box_turns, double tolerance, RoundingSide side,
          const VertexGrid& grid, Cancellation& cancellation)
       : curve_(curve),
         grid_(grid),
@@ -113,7 +113,7 @@ class Ribbon {
         tolerance_(tolerance),
         side_(side),
         near_(middle_of(curve)),
-        pieces_(cut(near_, width, width / 4, cancellation)),
+        pieces_(cut(near_, width, width / 4, box_turns, cancellation)),
         cuts_(pieces_.size() + 1) {
     cuts_.front() = {curve.from, curve.from, curve.from, 0, 0};
     cuts_.back() = {curve.to, curve.to, curve.to, 1, 1};
@@ -334,13 +334,14 @@ void Flattener::flatten(const Curve& curve, std::vector<Point>& path, Region& ri
   }
   if (!(tolerance_ > 1e-10 * size && size < 1e100)) fail_too_small_tolerance();
   // Nine steps are for rounding. If a proof fails, the curve is cut into more pieces. Turns as
-  // sharp as that of a hairpin may need pieces much narrower than the tolerance. Cuts are wider
-  // than these by four steps, so those of fewer than six would be hardly narrower.
-  double width = (side_ == RoundingSide::kNearest ? 2 : 1) * tolerance_ - 9 * grid_.size();
-  for (; width > 6 * grid_.size(); width *= 0.8) {
-    Ribbon ribbon(curve, width, tolerance_, side_, grid_, cancellation);
-    if (!ribbon.is_proved(cancellation)) continue;
-    return ribbon.write(path, ribbons);
+  // sharp as that of a hairpin may need pieces much narrower than the tolerance, or boxes. Cuts are
+  // wider than pieces by four steps, so pieces of fewer than six would hardly make narrower cuts.
+  const double widest = (side_ == RoundingSide::kNearest ? 2 : 1) * tolerance_ - 9 * grid_.size();
+  for (const bool box_turns : {false, true}) {
+    for (double width = widest; width > 6 * grid_.size(); width *= 0.8) {
+      Ribbon ribbon(curve, width, box_turns, tolerance_, side_, grid_, cancellation);
+      if (ribbon.is_proved(cancellation)) return ribbon.write(path, ribbons);
+    }
   }
   fail_too_small_tolerance();
 }

@@ -196,6 +196,24 @@ TEST(Svg, CurvesThatTurnSharplyAreRead) {
   }
 }
 
+TEST(Svg, EllipsesMayBeNeedles) {
+  // These were refused as too small for their tolerances.
+  const std::vector<std::pair<const char*, Rational>> cases = {
+      {"M0 0a.0387124 1.09365e-5 292 0 1 .0937552 .0390764z", Rational(28, 1000)},
+      {"M0 0a.189994 4.11733e-4 296 0 0 -.226338 -.0223885z", Rational(392, 10000)},
+  };
+  for (const auto& [path, tolerance] : cases) {
+    const std::string drawing = svg("<path d='" + std::string(path) + "'/>");
+    const auto read = [&, t = tolerance](RoundingSide side) {
+      return resolve(read_geometry(drawing, within(t, side))).region;
+    };
+    const Region outside = read(RoundingSide::kOutside);
+    EXPECT_FALSE(outside.empty()) << path;
+    EXPECT_GE(area(outside), area(read(RoundingSide::kNearest))) << path;
+    EXPECT_GE(area(outside), area(read(RoundingSide::kInside))) << path;
+  }
+}
+
 TEST(Svg, ALineThatIsCurvedHasNoInside) {
   const std::string text = svg("<path fill='none' d='M0 0Q1 1 2 0'/>");
   EXPECT_TRUE(read_geometry(text, within(1)).region.empty());
