@@ -28,7 +28,8 @@ class Bezier {
   static constexpr std::size_t kMostControls = 12;
 
   Bezier() = default;
-  // Most curves have few control points, and copying all twelve takes longer than splitting them.
+  // Only control points that are there are copied, because most curves have three or four of
+  // twelve.
   Bezier(const Bezier& other) : size_(other.size_) {
     std::copy_n(other.controls_.begin(), size_, controls_.begin());
   }

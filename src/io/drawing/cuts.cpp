@@ -126,7 +126,7 @@ class Cutter {
       double size = of.end - of.begin;
       Piece boxed{};
       do {
-        size /= 4;
+        size /= 4;  // a piece may have a sharp turn at either end
         boxed = at_begin ? piece(of.part, of.begin, of.begin + size)
                          : piece(of.part, of.end - size, of.end);
       } while (boxed.extent.diameter > diameter_);

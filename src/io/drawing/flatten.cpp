@@ -122,7 +122,7 @@ class Ribbon {
   }
 
   /// Tells whether the curve and its tolerance are proved. Places cuts and sets boxes on the way,
-  /// because most proofs that fail do so at the first piece.
+  /// so that none are placed in vain behind a piece that is not proved.
   [[nodiscard]] bool is_proved(Cancellation& cancellation) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       cancellation.check(2000);
@@ -334,8 +334,9 @@ void Flattener::flatten(const Curve& curve, std::vector<Point>& path, Region& ri
   }
   if (!(tolerance_ > 1e-10 * size && size < 1e100)) fail_too_small_tolerance();
   // Nine steps are for rounding. If a proof fails, the curve is cut into more pieces. Turns as
-  // sharp as that of a hairpin may need pieces much narrower than the tolerance, or boxes. Cuts are
-  // wider than pieces by four steps, so pieces of fewer than six would hardly make narrower cuts.
+  // sharp as that of a hairpin may need pieces much narrower than the tolerance, or else boxes,
+  // which add vertices. Cuts are wider than pieces by four steps, so pieces of fewer than six would
+  // hardly make narrower cuts.
   const double widest = (side_ == RoundingSide::kNearest ? 2 : 1) * tolerance_ - 9 * grid_.size();
   for (const bool box_turns : {false, true}) {
     for (double width = widest; width > 6 * grid_.size(); width *= 0.8) {

@@ -1,7 +1,6 @@
 // Declares how curves become polylines within a tolerance, with a proof for each.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "io/drawing/curve.hpp"
