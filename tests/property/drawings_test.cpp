@@ -276,22 +276,14 @@ class Curves {
     const std::array<Point, 3> controls = {kept(a), kept(b), kept(c)};
     Shape shape;
     shape.convex = false;  // it may be thinner than a tolerance
-    constexpr int kPoints = 400;
-    const auto at = [&](const Rational& t) {
+    sample(shape, [&](const Rational& t) {
       const Rational s = Rational(1) - t;
       const auto mixed = [&](const Rational& p, const Rational& q, const Rational& r) {
         return s * s * p + Rational(2) * s * t * q + t * t * r;
       };
       const auto& [p, q, r] = controls;
       return Point{mixed(p.x, q.x, r.x), mixed(p.y, q.y, r.y)};
-    };
-    for (int i = 0; i <= kPoints; ++i) shape.on_curve.push_back(at(Rational(i, kPoints)));
-    double off = 0;
-    for (std::size_t i = 0; i < kPoints; ++i) {
-      const Near between = near(at(Rational(2 * i + 1, 2 * kPoints)));
-      off = std::max(off, distance(between, near(shape.on_curve[i]), near(shape.on_curve[i + 1])));
-    }
-    shape.sag = 2 * off;
+    });
     const auto flipped = [](const Point& p) { return text_of(Point{p.x, -p.y}); };
     shape.text = "<svg><path d=\"M" + flipped(controls[0]) + "Q" + flipped(controls[1]) + " " +
                  flipped(controls[2]) + "\"/></svg>";
@@ -318,19 +310,8 @@ class Curves {
     const Rational last = knots.back() + number(0.5, 2);
     knots.insert(knots.end(), 4, last);
     Shape shape;
-    constexpr int kPoints = 400;
-    for (int i = 0; i <= kPoints; ++i) {
-      shape.on_curve.push_back(at(controls, weights, knots, last * Rational(i, kPoints)));
-    }
     shape.convex = false;
-    // The polyline of twice as many points moves by about a quarter of the sag.
-    double off = 0;
-    for (std::size_t i = 0; i < kPoints; ++i) {
-      const Rational t = last * Rational(2 * i + 1, 2 * kPoints);
-      const Near between = near(at(controls, weights, knots, t));
-      off = std::max(off, distance(between, near(shape.on_curve[i]), near(shape.on_curve[i + 1])));
-    }
-    shape.sag = 2 * off;
+    sample(shape, [&](const Rational& t) { return at(controls, weights, knots, last * t); });
     if (is_path) {
       const auto flipped = [](const Point& p) { return text_of(Point{p.x, -p.y}); };
       shape.text = "<svg><path d=\"M" + flipped(controls[0]) + "C" + flipped(controls[1]) + " " +
@@ -352,6 +333,21 @@ class Curves {
  private:
   static std::string dxf(const std::string& entities) {
     return "0\nSECTION\n2\nENTITIES\n0\n" + entities + "\n0\nENDSEC\n0\nEOF\n";
+  }
+  /// Takes points of a curve, which at(t) returns for t from 0 to 1. The polyline of twice as many
+  /// points moves by about a quarter of the sag.
+  template <class At>
+  static void sample(Shape& shape, At at) {
+    constexpr int kPoints = 400;
+    shape.on_curve = {at(Rational(0))};
+    double off = 0;
+    for (int i = 1; i <= kPoints; ++i) {
+      const Near before = near(shape.on_curve.back());
+      const Near between = near(at(Rational(2 * i - 1, 2 * kPoints)));
+      shape.on_curve.push_back(at(Rational(i, kPoints)));
+      off = std::max(off, distance(between, before, near(shape.on_curve.back())));
+    }
+    shape.sag = 2 * off;
   }
   /// Points of an arc are at most as far apart as the longest chord; its circle has this radius,
   /// and no arc of an ellipse is more curved than that of a circle so many times smaller.

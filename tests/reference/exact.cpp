@@ -1,6 +1,7 @@
 #include "reference/exact.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace minksum::reference {
 

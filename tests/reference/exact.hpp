@@ -12,7 +12,7 @@
 
 namespace minksum::reference {
 
-// GMP's are faster: a test of overlays took 37 s by Boost's own, and takes 15 s.
+// GMP's numbers are faster: tests of overlays took 37 s with Boost's own, and take 15 s.
 #ifdef MINKSUM_TESTS_HAVE_GMP
 using IntegerBackend = boost::multiprecision::gmp_int;
 using NumberBackend = boost::multiprecision::gmp_rational;
