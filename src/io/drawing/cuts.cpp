@@ -36,7 +36,7 @@ class Cutter {
     cancellation_.check(300);
     Piece result{part, begin, end, false, measure(curve_, part, begin, end)};
     const Extent& extent = result.extent;
-    const bool fits = extent.regular && extent.left + extent.right <= width_ && extent.length > 0;
+    const bool fits = extent.regular && extent.width <= width_ && extent.length > 0;
     result.boxed = !fits && extent.diameter <= diameter_;
     if (!fits && !result.boxed) result.extent.length = -1;
     return result;
@@ -54,63 +54,65 @@ class Cutter {
       return forwards ? piece(part, begin, begin + size) : piece(part, end - size, end);
     };
     const double whole = end - begin;
-    Piece best = piece(part, begin, end);
-    if (fits(best)) return best;
+    Piece best{};
     double low = 0;
-    double high = whole;
+    double high = HUGE_VAL;
     double size = std::min(whole, guess_);
-    // Widths grow about as squares of lengths. So few steps find a piece that is nearly the
-    // longest.
+    // Widths, and squares of diameters, grow about as squares of lengths. So few steps find a piece
+    // that is nearly the longest.
     for (int step = 0; low < 0.97 * high; ++step) {
       const Piece tried = of_size(size);
-      const double width = tried.extent.left + tried.extent.right;
+      const double diameter = tried.extent.diameter / diameter_;
+      const double share = tried.boxed ? diameter * diameter : tried.extent.width / width_;
+      (fits(tried) ? low : high) = size;
       if (fits(tried)) {
         best = tried;
-        low = size;
-      } else {
-        high = size;
+        if (size == whole || share > 0.95) break;
       }
       if (low == 0 && size < kShortest) {
         throw Error(ErrorCode::kLimitExceeded,
                     "a curve is not smooth enough to be flattened within the tolerance");
       }
-      const double grown = size * std::sqrt(0.99 * width_ / std::max(width, 1e-3 * width_));
+      const double grown = size * std::sqrt(0.98 / std::max(share, 1e-3));
       const bool inside = grown > low && grown < high && step % 3 != 2;
       size = inside ? grown : low == 0 ? high / 4 : (low + high) / 2;
+      // Nearly all would leave a short piece.
+      if (high > whole && size > 0.97 * whole) size = whole;
     }
     guess_ = low;
     return best;
   }
 
-  [[nodiscard]] std::vector<Piece> cut_by(double width, std::size_t part, double begin,
-                                          double end) {
-    const double kept = std::exchange(width_, width);
+  /// Cuts from `begin` to `end` into pieces of about equal widths.
+  void cut_evenly(std::size_t part, double begin, double end) {
     std::vector<Piece> pieces;
-    while (begin < end) {
-      pieces.push_back(longest(part, begin, end, true));
-      begin = pieces.back().end;
+    for (double at = begin; at < end; at = pieces.back().end) {
+      pieces.push_back(longest(part, at, end, true));
       if (pieces.size() > kMostPieces) {
         throw Error(ErrorCode::kLimitExceeded,
                     "a curve would have more than 2^20 vertices by this tolerance");
       }
     }
-    width_ = kept;
-    return pieces;
-  }
-
-  /// Cuts from `begin` to `end` into pieces of about equal widths.
-  void cut_evenly(std::size_t part, double begin, double end) {
-    std::vector<Piece> pieces = cut_by(width_, part, begin, end);
-    const std::size_t count = pieces.size();
-    if (count > 1) {
-      const Extent& last = pieces.back().extent;
-      const double share = std::sqrt(std::min((last.left + last.right) / width_, 1.0));
-      const double even = (static_cast<double>(count) - 1 + share) / static_cast<double>(count);
-      std::vector<Piece> others =
-          cut_by(width_ * std::min(even * even * 1.05, 1.0), part, begin, end);
-      if (others.size() == count) pieces = std::move(others);
+    // All but the last piece are as long as they may be. As many pieces that are a little shorter
+    // leave no short one.
+    const auto count = static_cast<double>(pieces.size());
+    const double last = std::sqrt(std::min(pieces.back().extent.width / width_, 1.0));
+    const double length = (count - 1 + last) / count;
+    std::vector<Piece> even;
+    for (std::size_t i = 1; i <= pieces.size(); ++i) {
+      double next = end;
+      if (i < pieces.size()) {
+        const double at = static_cast<double>(i) * length;
+        const Piece& there = pieces[static_cast<std::size_t>(at)];
+        next = there.begin + (at - std::floor(at)) * (there.end - there.begin);
+      }
+      even.push_back(piece(part, even.empty() ? begin : even.back().end, next));
+      if (!fits(even.back())) {
+        even = std::move(pieces);
+        break;
+      }
     }
-    pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
+    pieces_.insert(pieces_.end(), even.begin(), even.end());
   }
 
   /// Whether one piece leads back beside the other one.
@@ -158,6 +160,22 @@ class Cutter {
   mutable double guess_ = 1;
   std::vector<Piece> pieces_;
 };
+
+/// Returns the length of the difference of the directions, of length 1, at both ends of a curve.
+double turn_of(const Bezier<double>& curve) {
+  const auto direction = [&](std::size_t from, bool forwards) -> Vector<double> {
+    const auto [x, y] = curve.at(from);
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      const auto [to_x, to_y] = curve.at(forwards ? i : from - i);
+      const double length = std::hypot(to_x - x, to_y - y);
+      if (length > 0) return {(to_x - x) / length, (to_y - y) / length};
+    }
+    return {0, 0};
+  };
+  const Vector<double> in = direction(0, true);
+  const Vector<double> out = direction(curve.size() - 1, false);
+  return std::hypot(in.x + out.x, in.y + out.y);
+}
 
 }  // namespace
 
@@ -210,6 +228,10 @@ Extent measure(const DoubleCurve& curve, std::size_t part, double begin, double 
     extent.left = std::max(extent.left, across);
   });
   extent.diameter = std::hypot(high_x - low_x, high_y - low_y);
+  // Cuts at right angles to the curve slant against the chord. The piece beside a triangle is about
+  // twice as long, so it turns twice as much and slants their cut.
+  const double slants = at_begin || at_end ? 2 : 1;
+  extent.width = (extent.left + extent.right) * (1 + slants * turn_of(piece));
   // The ribbon of a curve of one piece would have no width anywhere.
   if (at_begin && at_end) extent.regular = false;
   if (!(length > 0)) extent.regular = false;

@@ -14,6 +14,7 @@ struct Extent {
   double length = 0;    ///< of the chord
   double right = 0;     ///< how far it reaches to the right of the chord; see `measure`
   double left = 0;      ///< how far it reaches to the left
+  double width = 0;     ///< both sides together, and as much as cuts at the ends slant
   double diameter = 0;  ///< a bound on the diameter
   bool regular = true;  ///< whether it goes along the chord all the way
 };
@@ -35,7 +36,7 @@ using DoubleCurve = std::vector<Bezier<double>>;
 /// `right` and `left` say how wide it must be at the other end so that it holds the piece.
 [[nodiscard]] Extent measure(const DoubleCurve& curve, std::size_t part, double begin, double end);
 
-/// Cuts the curve into pieces whose extents to both sides are at most `width`, or whose diameters
+/// Cuts the curve into pieces whose extents have a width of at most `width`, or whose diameters
 /// are at most `diameter`. With `box_turns`, two pieces that meet at an acute angle have boxed ones
 /// between them. Throws Error(kLimitExceeded) for more than 2^20 pieces.
 [[nodiscard]] std::vector<Piece> cut(const DoubleCurve& curve, double width, double diameter,
