@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "io/drawing/cuts.hpp"
 
@@ -11,95 +12,98 @@ namespace {
 Interval cross(const Span& a, const Span& b) { return a.x * b.y - a.y * b.x; }
 Interval dot(const Span& a, const Span& b) { return a.x * b.x + a.y * b.y; }
 
-/// The ends of a cut, and the vertex of the polyline there.
+/// The ends of a cut between pieces, and the vertex of the polyline there.
 struct Cut {
-  Point left;
-  Point right;
-  Point vertex;
+  GridPoint left;
+  GridPoint right;
+  GridPoint vertex;
   double before = 0;  ///< the parameters before and behind the cut up to which pieces are tested
   double behind = 0;  ///< against one quadrilateral; what lies between is tested against both
 };
 
-/// A cut as seen from a point.
+/// A cut as seen from a point. An end of the curve is a cut, too, which is a point.
 struct SeenCut {
   Span left, right, vertex;
 
-  SeenCut(const Point& origin, const Cut& cut)
-      : left(span_between(origin, cut.left)),
-        right(span_between(origin, cut.right)),
-        vertex(span_between(origin, cut.vertex)) {}
+  explicit SeenCut(const Span& end) : left(end), right(end), vertex(end) {}
+  SeenCut(const GridView& view, const Cut& cut)
+      : left(view.span_to(cut.left)),
+        right(view.span_to(cut.right)),
+        vertex(view.span_to(cut.vertex)) {}
 };
 
-/// The corners of a quadrilateral from cut 0 to cut 1, and both vertices.
-struct Quad {
-  Span left0, right0, left1, right1, vertex0, vertex1;
-  bool begins = false;  ///< whether the curve begins at cut 0, which then is a point
-  bool ends = false;
-
-  Quad(const SeenCut& a, const SeenCut& b, bool begins_here, bool ends_here)
-      : left0(a.left),
-        right0(a.right),
-        left1(b.left),
-        right1(b.right),
-        vertex0(a.vertex),
-        vertex1(b.vertex),
-        begins(begins_here),
-        ends(ends_here) {}
+/// A side of a quadrilateral.
+struct Side {
+  Span along;
+  Span on;  ///< a point on it
 
   /// The end of the curve is the origin, which is exact. So a point there is found on its lines.
-  static bool is_left(const Span& from, const Span& to, const Span& p) {
-    const bool ends_at_origin = to.x.is_zero() && to.y.is_zero();
-    return cross(to - from, p - (ends_at_origin ? to : from)).low >= 0;
+  Side(const Span& from, const Span& to)
+      : along(to - from), on(to.x.is_zero() && to.y.is_zero() ? to : from) {}
+
+  [[nodiscard]] bool has_left(const Span& p) const { return cross(along, p - on).low >= 0; }
+  [[nodiscard]] bool turns_left_to(const Side& next) const {
+    return cross(along, next.along).low > 0;
   }
+};
+
+/// The quadrilateral from one cut to the next one.
+class Quad {
+ public:
+  Quad(const SeenCut& from, const SeenCut& to, bool begins, bool ends)
+      : from_(from),
+        to_(to),
+        right_(from.right, to.right),
+        left_(to.left, from.left),
+        begin_(from.left, from.right),
+        end_(to.right, to.left),
+        begins_(begins),
+        ends_(ends) {}
+
   [[nodiscard]] bool holds_beside(const Span& p) const {
-    return is_left(right0, right1, p) && is_left(left1, left0, p);
+    return right_.has_left(p) && left_.has_left(p);
   }
-  [[nodiscard]] bool is_behind_begin(const Span& p) const {
-    return begins || is_left(left0, right0, p);
-  }
-  [[nodiscard]] bool is_before_end(const Span& p) const {
-    return ends || is_left(right1, left1, p);
-  }
+  [[nodiscard]] bool is_behind_begin(const Span& p) const { return begins_ || begin_.has_left(p); }
+  [[nodiscard]] bool is_before_end(const Span& p) const { return ends_ || end_.has_left(p); }
   [[nodiscard]] bool holds(const Span& p) const {
     return holds_beside(p) && is_behind_begin(p) && is_before_end(p);
   }
   [[nodiscard]] bool is_convex() const {
-    const auto turns_left = [](const Span& a, const Span& b, const Span& c) {
-      return cross(b - a, c - b).low > 0;
-    };
-    return (begins || (turns_left(left0, right0, right1) && turns_left(left1, left0, right0))) &&
-           (ends || (turns_left(right0, right1, left1) && turns_left(right1, left1, left0)));
+    return (begins_ || (begin_.turns_left_to(right_) && left_.turns_left_to(begin_))) &&
+           (ends_ || (right_.turns_left_to(end_) && end_.turns_left_to(left_)));
   }
   /// Tells whether all of it is so close to the curve, which passes both cuts. Let x be any point
   /// of it. Either the line through x, at right angles to the polyline, parts the cuts and so meets
   /// the curve, or it meets a cut.
   [[nodiscard]] bool is_within(double tolerance, RoundingSide side) const {
-    const Span along = vertex1 - vertex0;
+    const Span along = to_.vertex - from_.vertex;
     const Interval length = square_root(dot(along, along));
     Interval left, right, slant;
     const auto widen = [](Interval& bound, const Interval& value) {
       bound.high = std::max(bound.high, value.high);
     };
-    for (const Span* const p : {&left0, &right0, &left1, &right1}) {
-      const Interval across = cross(along, *p - vertex0);
-      widen(left, across);
-      widen(right, -across);
-    }
-    for (const Span* const p : {&left0, &right0}) {
-      const Interval off = dot(along, *p - vertex0);
-      widen(slant, off);
-      widen(slant, -off);
-    }
-    for (const Span* const p : {&left1, &right1}) {
-      const Interval off = dot(along, *p - vertex1);
-      widen(slant, off);
-      widen(slant, -off);
+    for (const SeenCut* const cut : {&from_, &to_}) {
+      for (const Span* const p : {&cut->left, &cut->right}) {
+        const Interval across = cross(along, *p - from_.vertex);
+        widen(left, across);
+        widen(right, -across);
+        const Interval off = dot(along, *p - cut->vertex);
+        widen(slant, off);
+        widen(slant, -off);
+      }
     }
     const double width =
         side == RoundingSide::kNearest ? std::max(left.high, right.high) : left.high + right.high;
     const Interval sum = Interval(width) + slant.high + slant.high;
     return ((sum * Interval::widened(1, 1)) / length).high <= tolerance;
   }
+
+ private:
+  SeenCut from_;
+  SeenCut to_;
+  Side right_, left_, begin_, end_;
+  bool begins_;  ///< whether the curve begins at the first cut, which then is a point
+  bool ends_;
 };
 
 /// The pieces of one curve, with what holds them.
@@ -114,34 +118,47 @@ class Ribbon {
         side_(side),
         near_(middle_of(curve)),
         pieces_(cut(near_, width, width / 4, box_turns, cancellation)),
-        cuts_(pieces_.size() + 1) {
-    cuts_.front() = {curve.from, curve.from, curve.from, 0, 0};
-    cuts_.back() = {curve.to, curve.to, curve.to, 1, 1};
-    seen_.reserve(cuts_.size());
-    seen_.emplace_back(curve.from, cuts_.front());
+        cuts_(pieces_.size()) {
+    seen_.reserve(pieces_.size() + 1);
+    seen_.emplace_back(Span{});
   }
 
   /// Tells whether the curve and its tolerance are proved. Places cuts and sets boxes on the way,
   /// so that none are placed in vain behind a piece that is not proved.
   [[nodiscard]] bool is_proved(Cancellation& cancellation) {
+    std::optional<Quad> before;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       cancellation.check(2000);
-      if (i + 1 < pieces_.size()) place(i + 1);
-      seen_.emplace_back(curve_.from, cuts_[i + 1]);
-      if (!(pieces_[i].boxed ? box(i) : piece_is_held(i))) return false;
-      if (i > 0 && !pieces_[i - 1].boxed && !pieces_[i].boxed && !cut_is_held(i)) return false;
+      if (is_last(i)) {
+        seen_.emplace_back(span_between(curve_.from, curve_.to));
+      } else {
+        place(i + 1);
+        seen_.emplace_back(grid_view_, cuts_[i + 1]);
+      }
+      if (pieces_[i].boxed) {
+        if (!box(i)) return false;
+        before.reset();
+        continue;
+      }
+      const Quad here(seen_[i], seen_[i + 1], i == 0, is_last(i));
+      if (!(is_last(i) ? last_piece_is_held() : piece_is_held(i, here))) return false;
+      if (before && !cut_is_held(i, *before, here)) return false;
+      before = here;
     }
     return true;
   }
 
   void write(std::vector<Point>& path, Region& ribbons) const {
-    for (std::size_t i = 1; i < cuts_.size(); ++i) path.push_back(cuts_[i].vertex);
+    for (std::size_t i = 1; i < cuts_.size(); ++i) path.push_back(grid_.at(cuts_[i].vertex));
+    path.push_back(curve_.to);
     if (side_ == RoundingSide::kNearest) return;
     const auto begin = [&ribbons] {
       ribbons.begin_polygon();
       ribbons.begin_ring();
     };
-    for (const auto& [low, high] : boxes_) {
+    for (const auto& [low_corner, high_corner] : boxes_) {
+      const Point low = grid_.at(low_corner);
+      const Point high = grid_.at(high_corner);
       begin();
       ribbons.add_vertex(low.x, low.y);
       ribbons.add_vertex(high.x, low.y);
@@ -152,18 +169,22 @@ class Ribbon {
       if (pieces_[i].boxed) continue;
       const std::size_t first = i;
       while (i + 1 < pieces_.size() && !pieces_[i + 1].boxed) ++i;
+      const auto add = [&ribbons](const Point& p) { ribbons.add_vertex(p.x, p.y); };
       begin();
-      for (std::size_t k = first; k <= i + 1; ++k) {
-        ribbons.add_vertex(cuts_[k].right.x, cuts_[k].right.y);
+      if (first == 0) add(curve_.from);
+      for (std::size_t k = std::max<std::size_t>(first, 1); k < cuts_.size() && k <= i + 1; ++k) {
+        add(grid_.at(cuts_[k].right));
       }
-      for (std::size_t k = i + 2; k-- > first;) {
-        if (cuts_[k].left == cuts_[k].right) continue;
-        ribbons.add_vertex(cuts_[k].left.x, cuts_[k].left.y);
+      if (is_last(i)) add(curve_.to);
+      for (std::size_t k = std::min(i + 2, cuts_.size()); k-- > std::max<std::size_t>(first, 1);) {
+        if (cuts_[k].left != cuts_[k].right) add(grid_.at(cuts_[k].left));
       }
     }
   }
 
  private:
+  [[nodiscard]] bool is_last(std::size_t piece) const { return piece + 1 == pieces_.size(); }
+
   /// Sets cut i, between two pieces, at right angles to the curve.
   void place(std::size_t i) {
     const Piece& before = pieces_[i - 1];
@@ -231,15 +252,6 @@ class Ribbon {
     return behind ? piece.begin + size : piece.end - size;
   }
 
-  [[nodiscard]] Quad quad(std::size_t i) const {
-    return {seen_[i], seen_[i + 1], i == 0, i + 1 == pieces_.size()};
-  }
-  /// Returns the last one as seen from the end of the curve.
-  [[nodiscard]] Quad last_quad() const {
-    const std::size_t last = pieces_.size() - 1;
-    return {SeenCut(curve_.to, cuts_[last]), SeenCut(curve_.to, cuts_[last + 1]), last == 0, true};
-  }
-
   template <class Test>
   [[nodiscard]] static bool all_controls(const Bezier<Interval>& curve, Test test) {
     bool all = true;
@@ -247,27 +259,37 @@ class Ribbon {
     return all;
   }
 
-  [[nodiscard]] bool piece_is_held(std::size_t i) const {
-    const Piece& piece = pieces_[i];
-    const bool last = i + 1 == pieces_.size();
-    const Quad here = last ? last_quad() : quad(i);
-    if (!here.is_convex() || !here.is_within(tolerance_, side_)) return false;
-    const double begin = i == 0 ? piece.begin : cuts_[i].behind;
-    const double end = last ? piece.end : cuts_[i + 1].before;
-    if (!(begin < end)) return false;
-    const Bezier<Interval> curve =
-        last ? curve_.ending.between(0, 1 - begin) : curve_.parts[piece.part].between(begin, end);
-    return all_controls(curve, [&](const Span& p) { return here.holds(p); });
+  [[nodiscard]] bool piece_is_held(std::size_t i, const Quad& here) const {
+    const double begin = i == 0 ? pieces_[i].begin : cuts_[i].behind;
+    const double end = cuts_[i + 1].before;
+    return begin < end && is_held(curve_.parts[pieces_[i].part].between(begin, end), here);
+  }
+  /// Is seen from the end of the curve.
+  [[nodiscard]] bool last_piece_is_held() const {
+    const std::size_t last = pieces_.size() - 1;
+    const double begin = last == 0 ? pieces_[last].begin : cuts_[last].behind;
+    const SeenCut from = last == 0 ? SeenCut(span_between(curve_.to, curve_.from))
+                                   : SeenCut(GridView(grid_, curve_.to), cuts_[last]);
+    return begin < 1 && is_held(curve_.ending.between(0, 1 - begin),
+                                Quad(from, SeenCut(Span{}), last == 0, true));
+  }
+  [[nodiscard]] bool is_held(const Bezier<Interval>& curve, const Quad& here) const {
+    return here.is_convex() && here.is_within(tolerance_, side_) &&
+           all_controls(curve, [&](const Span& p) { return here.holds(p); });
   }
 
-  [[nodiscard]] bool cut_is_held(std::size_t i) const {
-    const Quad before = quad(i - 1);
-    const Quad behind = quad(i);
+  [[nodiscard]] bool cut_is_held(std::size_t i, const Quad& before, const Quad& behind) const {
     const auto test = [&](const Span& p) {
       return before.holds_beside(p) && behind.holds_beside(p) && before.is_behind_begin(p) &&
              behind.is_before_end(p);
     };
-    return all_controls(before_cut(i), test) && all_controls(behind_cut(i), test);
+    // What lies beside a cut is so short that its own hull mostly tells.
+    const auto is_held = [&](const Bezier<Interval>& curve) {
+      bool all = true;
+      for (std::size_t k = 0; k < curve.size(); ++k) all = all && test(curve.at(k));
+      return all || all_controls(curve, test);
+    };
+    return is_held(before_cut(i)) && is_held(behind_cut(i));
   }
   [[nodiscard]] Bezier<Interval> before_cut(std::size_t i) const {
     const Piece& piece = pieces_[i - 1];
@@ -292,17 +314,17 @@ class Ribbon {
     const Piece& piece = pieces_[i];
     for_each_control(curve_.parts[piece.part].between(piece.begin, piece.end), take);
     if (i > 0 && !pieces_[i - 1].boxed) for_each_control(before_cut(i), take);
-    if (i + 1 < pieces_.size() && !pieces_[i + 1].boxed) for_each_control(behind_cut(i + 1), take);
+    if (!is_last(i) && !pieces_[i + 1].boxed) for_each_control(behind_cut(i + 1), take);
     for (const SeenCut* const cut : {&seen_[i], &seen_[i + 1]}) {
       for (const Span& p : {cut->left, cut->right, cut->vertex}) take(p);
     }
     const double step = grid_.size();
-    const Point low = grid_view_.near(low_x - step, low_y - step);
-    const Point high = grid_view_.near(high_x + step, high_y + step);
+    const GridPoint low = grid_view_.near(low_x - step, low_y - step);
+    const GridPoint high = grid_view_.near(high_x + step, high_y + step);
     boxes_.emplace_back(low, high);
-    const Rational width = high.x - low.x;
-    const Rational height = high.y - low.y;
-    return width * width + height * height <= Rational(tolerance_) * Rational(tolerance_);
+    const Point diagonal = grid_.at({high.x - low.x, high.y - low.y});
+    return diagonal.x * diagonal.x + diagonal.y * diagonal.y <=
+           Rational(tolerance_) * Rational(tolerance_);
   }
 
   const Curve& curve_;
@@ -312,9 +334,9 @@ class Ribbon {
   RoundingSide side_;
   DoubleCurve near_;
   std::vector<Piece> pieces_;
-  std::vector<Cut> cuts_;
-  std::vector<SeenCut> seen_;  ///< from the curve's begin
-  std::vector<std::pair<Point, Point>> boxes_;
+  std::vector<Cut> cuts_;  ///< cut i is where piece i begins; there is none at the curve's begin
+  std::vector<SeenCut> seen_;  ///< from the curve's begin, both ends of the curve as well
+  std::vector<std::pair<GridPoint, GridPoint>> boxes_;
 };
 
 }  // namespace
@@ -324,15 +346,23 @@ Flattener::Flattener(const Rational& tolerance, RoundingSide side)
 
 void Flattener::flatten(const Curve& curve, std::vector<Point>& path, Region& ribbons,
                         Cancellation& cancellation) const {
-  // A proof needs some thousand roundings' room beside the coordinates.
+  // A proof needs some thousand roundings' room beside the coordinates, and products of a few
+  // numbers must not overflow.
+  constexpr double kMost = 1e100;
   double size = 0;
+  bool bounded = true;
   for (const Bezier<Interval>& part : curve.parts) {
     for (std::size_t i = 0; i < part.size(); ++i) {
+      const Control<Interval>& control = part[i];
       const auto [x, y] = part.at(i);
-      size = std::max({size, std::abs(x.low), std::abs(x.high), std::abs(y.low), std::abs(y.high)});
+      for (const double v : {x.low, x.high, y.low, y.high}) size = std::max(size, std::abs(v));
+      for (const Interval& v : {control.x, control.y, control.w, x, y}) {
+        bounded = bounded && -v.low < kMost && v.high < kMost;
+      }
+      bounded = bounded && control.w.low > 1 / kMost;
     }
   }
-  if (!(tolerance_ > 1e-10 * size && size < 1e100)) fail_too_small_tolerance();
+  if (!(bounded && tolerance_ > 1e-10 * size)) fail_too_small_tolerance();
   // Nine steps are for rounding. If a proof fails, the curve is cut into more pieces. Turns as
   // sharp as that of a hairpin may need pieces much narrower than the tolerance, or else boxes,
   // which add vertices. Cuts are wider than pieces by four steps, so pieces of fewer than six would

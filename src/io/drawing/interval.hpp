@@ -2,9 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "minksum/rational.hpp"
@@ -31,12 +29,11 @@ struct Interval {
   [[nodiscard]] double middle() const { return low + (high - low) / 2; }
 
  private:
-  /// Does what std::nextafter does, but in line: calls took a seventh of the time of flattening.
+  /// Returns a number above a finite one, mostly the next one. From Rump, Zimmermann, Boldo and
+  /// Melquiond, Computing predecessor and successor in rounding to nearest, BIT 49, 2009.
   static double next_above(double value) {
-    if (!(value < std::numeric_limits<double>::infinity())) return value;
-    if (value == 0) return std::numeric_limits<double>::denorm_min();
-    const auto bits = std::bit_cast<std::int64_t>(value);
-    return std::bit_cast<double>(bits + (value > 0 ? 1 : -1));
+    constexpr double kUnit = 0x1.0000000000001p-53;
+    return value + (std::abs(value) * kUnit + std::numeric_limits<double>::denorm_min());
   }
 };
 

@@ -5,6 +5,16 @@
 #include "minksum/error.hpp"
 
 namespace minksum::io {
+namespace {
+
+/// Returns a number of steps. Below this bound, doubles hold every whole number and its sums.
+double checked(double steps) {
+  constexpr double kMost = 0x1p50;
+  if (!(std::abs(steps) < kMost)) fail_too_small_tolerance();
+  return steps;
+}
+
+}  // namespace
 
 void fail_too_small_tolerance() {
   throw Error(ErrorCode::kLimitExceeded,
@@ -25,31 +35,31 @@ VertexGrid::VertexGrid(const Rational& tolerance) {
   if (!(size_ > 1e-200 && size_ < 1e200)) fail_too_small_tolerance();
 }
 
-Rational VertexGrid::at(double steps) const {
-  constexpr double kMost = 0x1p50;
-  if (!(std::abs(steps) < kMost)) fail_too_small_tolerance();
-  return Rational(Decimal{static_cast<std::int64_t>(std::llround(steps)), exponent_});
+double VertexGrid::steps_near(const Rational& value) const {
+  return checked(std::round((value / step_).to_double()));
 }
 
-Rational VertexGrid::near(const Rational& value) const { return at((value / step_).to_double()); }
+Rational VertexGrid::at(double steps) const {
+  return Rational(Decimal{static_cast<std::int64_t>(steps), exponent_});
+}
 
 GridView::GridView(const VertexGrid& grid, const Point& origin)
-    : grid_(grid), x_(grid, origin.x), y_(grid, origin.y) {}
+    : grid_(grid), step_(Interval::of(grid.step())), x_(grid, origin.x), y_(grid, origin.y) {}
 
 GridView::Axis::Axis(const VertexGrid& grid, const Rational& at) : origin(at) {
   const Rational steps = at / grid.step();
   whole = std::floor(steps.to_double());
-  rest = std::isfinite(whole) ? (steps - Rational(whole)).to_double() : HUGE_VAL;
+  if (std::isfinite(whole)) rest = Interval::of(steps - Rational(whole));
 }
 
-Rational GridView::near(const Axis& axis, double offset) const {
+double GridView::near(const Axis& axis, double offset) const {
   if (!std::isfinite(offset)) fail_too_small_tolerance();
-  const double moved = axis.rest + offset / grid_.size();
+  const double moved = axis.rest.middle() + offset / grid_.size();
   const double steps = std::round(moved);
   // Doubles tell the same as the exact sum, unless that is about in the middle of two steps.
   const double doubt = 0x1p-50 * (std::abs(axis.whole) + std::abs(moved) + 2);
-  if (std::abs(moved - steps) + doubt < 0.5) return grid_.at(axis.whole + steps);
-  return grid_.near(axis.origin + Rational(offset));
+  if (std::abs(moved - steps) + doubt < 0.5) return checked(axis.whole + steps);
+  return grid_.steps_near(axis.origin + Rational(offset));
 }
 
 }  // namespace minksum::io

@@ -1,12 +1,21 @@
 // Declares the grid on which vertices of curves lie, and rounds points to it.
 #pragma once
 
+#include "io/drawing/curve.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum::io {
 
 /// Throws Error(kLimitExceeded).
 [[noreturn]] void fail_too_small_tolerance();
+
+/// A point of the grid: its coordinates are whole multiples of the step.
+struct GridPoint {
+  double x = 0;
+  double y = 0;
+
+  friend bool operator==(const GridPoint&, const GridPoint&) = default;
+};
 
 /// The decimals that vertices of curves have.
 class VertexGrid {
@@ -17,37 +26,47 @@ class VertexGrid {
   [[nodiscard]] double size() const { return size_; }
   /// Returns the multiple of the step that is nearest to a number. Throws Error(kLimitExceeded) if
   /// doubles do not tell it.
-  [[nodiscard]] Rational near(const Rational& value) const;
-  /// Returns the multiple by so many steps. Throws as above.
-  [[nodiscard]] Rational at(double steps) const;
+  [[nodiscard]] Rational near(const Rational& value) const { return at(steps_near(value)); }
+  [[nodiscard]] double steps_near(const Rational& value) const;
+  [[nodiscard]] Point at(const GridPoint& point) const { return {at(point.x), at(point.y)}; }
 
  private:
+  [[nodiscard]] Rational at(double steps) const;
+
   int exponent_ = 0;
   Rational step_;
   double size_;
 };
 
-/// Rounds points to the grid that are given as seen from a point.
+/// The grid as seen from a point.
 class GridView {
  public:
   GridView(const VertexGrid& grid, const Point& origin);
 
-  /// Returns what VertexGrid::near returns for the exact sums of the point and (x, y). Throws as
-  /// that does.
-  [[nodiscard]] Point near(double x, double y) const { return {near(x_, x), near(y_, y)}; }
+  /// Returns the grid's point that is nearest to one that is seen at (x, y). Throws
+  /// Error(kLimitExceeded) if doubles do not tell it.
+  [[nodiscard]] GridPoint near(double x, double y) const { return {near(x_, x), near(y_, y)}; }
+  /// Returns where a point of the grid is seen.
+  [[nodiscard]] Span span_to(const GridPoint& point) const {
+    return {offset(x_, point.x), offset(y_, point.y)};
+  }
 
  private:
-  /// A coordinate of the point: in steps, it is a whole number and a rest that is rounded.
+  /// A coordinate of the origin: in steps, it is a whole number and a rest.
   struct Axis {
     Rational origin;
     double whole;
-    double rest;
+    Interval rest;
 
     Axis(const VertexGrid& grid, const Rational& at);
   };
-  [[nodiscard]] Rational near(const Axis& axis, double offset) const;
+  [[nodiscard]] double near(const Axis& axis, double offset) const;
+  [[nodiscard]] Interval offset(const Axis& axis, double steps) const {
+    return (Interval(steps - axis.whole) - axis.rest) * step_;
+  }
 
   const VertexGrid& grid_;
+  Interval step_;
   Axis x_;
   Axis y_;
 };
