@@ -51,6 +51,7 @@ TEST(Svg, StraightShapesAreExact) {
       {"<path fill='none' d='M0 0H1V1H0V0'/>", kSquare},
       {"<path d='M0 0L1.5.5-1-2z'/>", "POLYGON ((-1 2, 0 0, 3/2 -1/2, -1 2))"},
       {"<path d='M0 0C0 0 1 0 1 0S1 1 1 1Q1 1 0 1z'/>", kSquare},
+      {"<path d='M0 0C0 0 0 0 0 0L1 0 1 1 0 1q0 0 0 0z'/>", kSquare},
       {"<path d='M0 0A0 5 0 0 1 1 0L1 1 0 1Z'/>", kSquare},
       {"<path d='M0 0H4V4H0zM1 1H3V3H1z'/>", "POLYGON ((0 -4, 4 -4, 4 0, 0 0, 0 -4))"},
       {"<path fill-rule='evenodd' d='M0 0H4V4H0zM1 1H3V3H1z'/>",
@@ -162,6 +163,8 @@ TEST(Svg, CurvesHaveTheirAreaWithinTheTolerance) {
       {"<path d='M0 0A2 4 90 0 0 4 2V0z'/>", 2 * kPi, 12},
       {"<path d='M0 0Q1 2 2 0T4 0'/>", 8.0 / 3, 10},
       {"<path d='M0 0C0 2 2 2 2 0S4-2 4 0'/>", 4.8, 14},
+      {"<path d='M0 0C20 0 0 20 0 0Z'/>", 60, 40},
+      {"<path d='M-5 -5L0 0C20 0 0 20 0 0H-5Z'/>", 72.5, 60},
       {"<path transform='rotate(30)' d='M0 0h3v2h-3z'/>", 6, 10},
       {"<circle r='1' transform='matrix(2 1 0 3 5 5)'/>", 6 * kPi, 20},
   };
