@@ -258,7 +258,7 @@ void DxfShapes::add_polyline(const std::vector<Vertex>& vertices, bool is_closed
   end(is_closed);
 }
 
-void DxfShapes::spline(const DxfValues& values, const DxfEntity& entity, const NearAffine& map) {
+DxfShapes::Spline DxfShapes::take_spline(const DxfValues& values, const DxfEntity& entity) const {
   const std::size_t at = entity.type.position;
   const auto refuse_unless = [&](bool condition, const char* what) {
     if (!condition) tags_.fail(what, at);
@@ -267,8 +267,8 @@ void DxfShapes::spline(const DxfValues& values, const DxfEntity& entity, const N
   constexpr int kHighest = static_cast<int>(Bezier<double>::kMostControls) - 1;
   refuse_unless(degree >= 1 && degree <= kHighest, "the degree of a spline must be from 1 to 11");
   const auto p = static_cast<std::size_t>(degree);
-  std::vector<Rational> knots, weights;
-  std::vector<Point> controls;
+  Spline spline{p, {}, {}, {}};
+  auto& [_, controls, knots, weights] = spline;
   for (const DxfTag& tag : entity.tags) {
     if (tag.code == 40) knots.push_back(tags_.number(tag));
     if (tag.code == 41) weights.push_back(tags_.number(tag));
@@ -285,6 +285,35 @@ void DxfShapes::spline(const DxfValues& values, const DxfEntity& entity, const N
   refuse_unless(weights.size() == n, "a spline has not one weight for each control point");
   for (const Rational& weight : weights) {
     refuse_unless(weight.sign() > 0, "a weight of a spline is not positive");
+  }
+  // Where the first knot or the last one comes too often, some control points take no part.
+  std::size_t first = 0;
+  while (knots[first + p + 1] == knots[p]) ++first;
+  std::size_t count = n - first;
+  while (knots[first + count - 1] == knots[n]) --count;
+  const auto keep = [first](auto& list, std::size_t size) {
+    list.erase(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(first));
+    list.resize(size);
+  };
+  keep(controls, count);
+  keep(weights, count);
+  keep(knots, count + p + 1);
+  for (std::size_t i = p + 1; i + p < count; ++i) {
+    refuse_unless(knots[i] != knots[i + p] || controls[i - 1] == controls[i],
+                  "a spline jumps at a knot that occurs more often than its degree; write the "
+                  "pieces before and behind it as splines of their own");
+  }
+  return spline;
+}
+
+void DxfShapes::spline(const DxfValues& values, const DxfEntity& entity, const NearAffine& map) {
+  const auto [p, controls, knots, weights] = take_spline(values, entity);
+  const std::size_t n = controls.size();
+  if (p == 1) {
+    outlines_.set_map(map);
+    outlines_.move_to(controls[0]);
+    for (std::size_t i = 1; i < n; ++i) outlines_.line_to(controls[i]);
+    return end(controls.front() == controls.back());
   }
   outlines_.set_map(map);
   outlines_.forget_errors();

@@ -32,6 +32,13 @@ class DxfShapes {
   struct Ellipse {
     Point centre, u, v;
   };
+  /// A B-spline whose control points all take part.
+  struct Spline {
+    std::size_t degree;
+    std::vector<Point> controls;
+    std::vector<Rational> knots;
+    std::vector<Rational> weights;
+  };
 
   void check_flat(const DxfEntity& entity) const;
   /// Returns the map of an entity in its own coordinates, by the normal of its plane.
@@ -43,6 +50,7 @@ class DxfShapes {
   void solid(const DxfValues& values);
   void light_polyline(const DxfValues& values, const DxfEntity& entity);
   void polyline(const DxfValues& values, bool is_flat);
+  [[nodiscard]] Spline take_spline(const DxfValues& values, const DxfEntity& entity) const;
   void spline(const DxfValues& values, const DxfEntity& entity, const NearAffine& map);
   void add_polyline(const std::vector<Vertex>& vertices, bool is_closed);
   void add_arcs(const Ellipse& ellipse, const Angle& from, const Angle& to, bool is_closed);

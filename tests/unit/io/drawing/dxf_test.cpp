@@ -72,6 +72,11 @@ TEST(Dxf, StraightShapesAreExact) {
        "LINESTRING (0 0, 4 0)"},
       {"0 SOLID 10 0 20 0 11 4 21 0 12 0 22 4 13 4 23 4", kBoxWkt},
       {"0 LWPOLYLINE 70 1 230 -1 10 0 20 0 10 -4 20 0 10 -4 20 4 10 0 20 4", kBoxWkt},
+      {"0 SPLINE 71 1 40 0 40 0 40 1 40 5 40 6 40 6 10 0 20 0 10 4 20 0 10 4 20 4 10 0 20 4 " +
+           line("0,4", "0,0"),
+       kBoxWkt},
+      {"0 SPLINE 71 1 40 0 40 0 40 1 40 1 40 2 40 2 10 0 20 0 10 4 20 0 10 4 20 0 10 4 20 4",
+       "LINESTRING (0 0, 4 0, 4 4)"},
       {line("0,0", "9,9", " 67 1") + " " + line("0,0", "9,9", " 60 1") + " " + kBox, kBoxWkt},
       {"999 a_comment " + kBox + " 0 TEXT 1 LINE 10 0 20 0", kBoxWkt},
   };
@@ -159,6 +164,10 @@ TEST(Dxf, CurvesHaveTheirAreaWithinTheTolerance) {
       {"0 SPLINE 70 0 71 2 72 6 73 3 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 1 20 2 10 2 20 0 " +
            line("0,0", "2,0"),
        4.0 / 3, 7},
+      {"0 SPLINE 71 2 40 0 40 0 40 0 40 0 40 1 40 1 40 1 40 1 40 1 10 9 20 9 10 0 20 0 10 1 20 2 "
+       "10 2 20 0 10 9 20 0 10 9 20 0 " +
+           line("0,0", "2,0"),
+       4.0 / 3, 7},
   };
   for (const auto& [entities, area, perimeter] : cases) {
     for (const Rational& tolerance : {Rational(1, 10), Rational(1, 1000)}) {
@@ -202,6 +211,9 @@ TEST(Dxf, FaultsHaveAPlace) {
        "6:1: a spline has fit points alone; its control points are needed"},
       {dxf("0 SPLINE 71 3 10 0 20 0"),
        "6:1: a spline's numbers of control points and of knots do not fit its degree"},
+      {dxf("0 SPLINE 71 1 40 0 40 0 40 1 40 1 40 2 40 2 10 0 20 0 10 4 20 0 10 4 20 1 10 4 20 4"),
+       "6:1: a spline jumps at a knot that occurs more often than its degree; write the pieces "
+       "before and behind it as splines of their own"},
       {dxf("0 SPLINE 71 40 10 0 20 0"), "6:1: the degree of a spline must be from 1 to 11"},
       {dxf("0 ELLIPSE 10 0 20 0 11 1 21 0 40 0"), "6:1: the ratio of axes must be positive"},
       {tags("0 SECTION 2 ENTITIES 0 EOF"), "6:1: expected ENDSEC"},
