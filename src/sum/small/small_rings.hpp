@@ -157,25 +157,30 @@ template <class Number>
       });
     };
     const Vec<double> near = edges.at[vertex];
-    const BoxOf<double> ray{near.x - edges.reach, near.y - edges.reach, HUGE_VAL,
-                            near.y + edges.reach};
+    const BoxOf<double> point{near.x - edges.reach, near.y - edges.reach, near.x + edges.reach,
+                              near.y + edges.reach};
+    const BoxOf<double> ray{point.x0, point.y0, HUGE_VAL, point.y1};
     LaneBits holding = 0;
     const auto visit = [&](std::size_t first, LaneBits blocks) __attribute__((always_inline)) {
       for (; blocks != 0; blocks &= blocks - 1) {
         const std::size_t block = first + static_cast<std::size_t>(std::countr_zero(blocks));
         const std::size_t begin = block * kLanes;
+        const std::size_t ring = s.ring_of(static_cast<std::uint32_t>(begin));
+        // Nothing follows from the hole's own ring. A ring in one block holds only what the block's
+        // box holds.
+        const bool whole = begin == s.begin_of(ring) && s.ends[ring] <= begin + kLanes;
+        if (ring == hole || (whole && !edges.blocks.box_of(block).meets(point))) continue;
         bool odd = false;
         for (LaneBits bits = edges.near(block, ray); bits != 0; bits &= bits - 1) {
           odd = odd != crosses(begin + static_cast<std::size_t>(std::countr_zero(bits)));
         }
-        if (odd) holding ^= LaneBits{1} << s.ring_of(static_cast<std::uint32_t>(begin));
+        if (odd) holding ^= LaneBits{1} << ring;
       }
       return true;
     };
     edges.blocks.for_each_near(ray, 0, visit);
-    // The vertex is on the hole's own boundary, so nothing follows from the count of that.
     constexpr LaneBits kOuterRing = 1;
-    if ((holding & ~(LaneBits{1} << hole)) != kOuterRing) return false;
+    if (holding != kOuterRing) return false;
   }
   return true;
 }
