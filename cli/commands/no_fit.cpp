@@ -39,7 +39,7 @@ void draw(const NoFitArguments& arguments, const Geometry& fixed, const Geometry
   const Captions captions = arguments.inner_fit
                                 ? Captions{"Inner-fit polygon", "Bin", "Part", "Inner-fit polygon"}
                                 : Captions{"No-fit polygon", "Fixed", "Moving", "No-fit polygon"};
-  // A part without area would have failed before this point.
+  // A part without a reference point has failed before this point.
   const Point mark = *reference_of(arguments, moving);
   write_picture(
       files, arguments.picture,
@@ -81,7 +81,7 @@ Point centroid(const Region& region) {
 std::string described_reference(const NoFitArguments& arguments, const Geometry& moving) {
   constexpr const char* kNames[] = {"first vertex", "lower left corner", "centroid", "point"};
   const auto reference = reference_of(arguments, moving);
-  if (!reference) return "the part has no area, and so no reference point";
+  if (!reference) return "the part has no vertex, and so no reference point";
   return std::string("placements are those of the ") +
          (arguments.inner_fit ? "part" : "moving part") + "'s " +
          kNames[static_cast<std::size_t>(arguments.named)] + ", (" + in_decimals(reference->x) +
@@ -99,7 +99,11 @@ std::optional<Point> reference_of(const NoFitArguments& arguments, const Geometr
   Options reading = arguments.options;
   reading.regularize = true;
   const Region part = resolve(moving, reading, 1).region;
-  if (part.empty()) return {};
+  if (part.empty()) {
+    throw Error(ErrorCode::kBadInput,
+                "a part without area has no lower left corner and no centroid (--reference)",
+                {.operand = 1});
+  }
   return arguments.named == kLowerLeft ? bounding_box(part)->min : centroid(part);
 }
 

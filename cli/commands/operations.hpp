@@ -94,8 +94,9 @@ int run_operation(const Arguments& arguments, Compute compute, Draw draw) {
 /// already.
 [[nodiscard]] Geometry image(const TransformArguments& arguments, const Geometry& set);
 
-/// Returns the point of the moving part that says where it is. Nothing for a part without area,
-/// which the operation refuses.
+/// Returns the point of the moving part that says where it is. Nothing if that is its first vertex
+/// and there is none, which the operation refuses. Throws Error(kBadInput) if a part without area
+/// has no such point.
 [[nodiscard]] std::optional<Point> reference_of(const NoFitArguments& arguments,
                                                 const Geometry& moving);
 

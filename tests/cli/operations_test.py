@@ -126,6 +126,9 @@ class Nesting(ProgramTest):
                                        "2 1))")
         self.fine("nfp", self.square, frame, "--reference", "centroid",
                   note="centroid, (about 1.928571428571428")
+        for part_without_area in ("POINT (1 1)", "LINESTRING (0 0, 1 1)"):
+            self.fails(2, "a part without area has no lower left corner and no centroid", "nfp",
+                       self.square, part_without_area, "--reference", "centroid")
         self.fails(1, "(did you mean 'centroid'?)", "nfp", self.square, part, "--reference",
                    "centriod")
 
