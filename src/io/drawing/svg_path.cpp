@@ -47,8 +47,9 @@ class PathReader {
     char kind = ' ';
     switch (command) {
       case 'M':
+        next = take_point();  // from where the part before ends, which need not be closed
         end(false);
-        at_ = start_ = take_point();
+        at_ = start_ = next;
         begun_ = true;
         before_ = ' ';
         return;

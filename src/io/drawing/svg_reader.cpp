@@ -16,7 +16,7 @@ constexpr std::string_view kUndrawn[] = {
     "metadata",     "radialGradient", "style",    "script", "a11y",
     "cursor",       "view",           "animate",  "set",    "animateTransform",
     "animateMotion"};
-constexpr std::string_view kGroups[] = {"g", "a", "switch", "svg"};
+constexpr std::string_view kGroups[] = {"g", "a", "switch"};
 
 template <class List>
 bool is_one_of(std::string_view name, const List& list) {
@@ -37,9 +37,14 @@ struct Element {
   }
 };
 
+struct Size {
+  Rational wide, high;
+};
+
 struct State {
   NearAffine map;
   SvgStyle style;
+  std::optional<Size> viewport;  ///< the size of the coordinate system around, if that is known
 };
 
 class SvgReader {
@@ -54,11 +59,13 @@ class SvgReader {
   void read(GeometryBuilder& builder) {
     for (std::size_t i = 0; i < document_.elements().size(); ++i) {
       cancellation_.check(16);
-      if (document_.name(i) == "style") styles_.add(document_.content(i), ignored_);
+      if (document_.name(i) == "style") add_sheet(i);
     }
     const Element root = element(0);
     State state;
     state.map = of_root(root);
+    state.viewport = viewport_of_root(root);
+    if (root.find("transform") != nullptr) ++ignored_["transform of the root"];
     state.style = styles_.style_of({}, root.name, root.attributes, ignored_);
     if (!state.style.removed) children(0, state, 0);
     finish(outlines_.take(), unit_, ignored_, {}, builder);
@@ -73,6 +80,17 @@ class SvgReader {
   }
   [[nodiscard]] std::size_t position_of(const Element& e) const {
     return document_.elements()[e.index].position;
+  }
+
+  void add_sheet(std::size_t index) {
+    for (const XmlAttribute& attribute : document_.attributes(index)) {
+      if (attribute.name != "media" || attribute.value == "all" || attribute.value == "screen") {
+        continue;
+      }
+      ++ignored_["style sheet for other media"];
+      return;
+    }
+    styles_.add(document_.content(index), ignored_);
   }
 
   /// Returns a length in units of the user: px, or millimetres as 96 px to the inch.
@@ -138,10 +156,61 @@ class SvgReader {
     return view;
   }
 
-  /// Places the content of an inner `svg` or a `symbol` into its frame.
-  NearAffine of_frame(const Element& e, const Rational& wide, const Rational& high) {
+  [[nodiscard]] std::optional<Size> viewport_of_root(const Element& root) const {
+    if (const XmlAttribute* const box = root.find("viewBox")) {
+      const std::vector<Rational> view = view_box(*box);
+      return Size{view[2], view[3]};
+    }
+    const auto side = [&](std::string_view name) -> std::optional<Rational> {
+      const XmlAttribute* const attribute = root.find(name);
+      if (attribute == nullptr || attribute->value == "auto" || attribute->value.ends_with('%')) {
+        return {};
+      }
+      return length(root, name);
+    };
+    const std::optional<Rational> wide = side("width");
+    const std::optional<Rational> high = side("height");
+    return wide && high ? std::optional(Size{*wide, *high}) : std::nullopt;
+  }
+
+  /// Returns a side of the frame of an inner `svg` or a `symbol`, which is that of the viewport
+  /// around, unless something else is said by the element or by the `use` that draws it.
+  [[nodiscard]] Rational side_of_frame(const Element& e, const Element* use, std::string_view name,
+                                       const std::optional<Rational>& around) const {
+    Rational share(1);
+    for (const Element* const said : {use, &e}) {
+      const XmlAttribute* const attribute = said == nullptr ? nullptr : said->find(name);
+      if (attribute == nullptr || attribute->value == "auto") continue;
+      const auto [value, unit] = take_length(cursor_on(document_, *attribute));
+      if (value.sign() < 0) fail("the size of a frame is negative", attribute->position);
+      if (unit != "%") return length(*said, name);
+      share = value / Rational(100);
+      break;
+    }
+    if (around) return share * *around;
+    fail("the size of the frame is not known: it needs a width and a height, or the root does",
+         position_of(e));
+  }
+
+  /// Places the content of an inner `svg` or a `symbol` into its frame. Returns false if there is
+  /// nothing to draw.
+  bool enter_frame(const Element& e, const Element* use, State& state) {
+    if (e.name == "svg") {
+      state.map = state.map.after({Affine::translation(length(e, "x"), length(e, "y"))});
+    }
     const XmlAttribute* const box = e.find("viewBox");
-    if (box == nullptr || wide.sign() == 0 || high.sign() == 0) return {};
+    std::optional<Rational> wide_around, high_around;
+    if (state.viewport) {
+      wide_around = state.viewport->wide;
+      high_around = state.viewport->high;
+    } else if (box == nullptr) {
+      return true;  // the size is needed for the scale alone
+    }
+    const Rational wide = side_of_frame(e, use, "width", wide_around);
+    const Rational high = side_of_frame(e, use, "height", high_around);
+    state.viewport = Size{wide, high};
+    if (wide.sign() == 0 || high.sign() == 0) return false;
+    if (box == nullptr) return true;
     const std::vector<Rational> view = view_box(*box);
     const Rational x = wide / view[2];
     const Rational y = high / view[3];
@@ -150,42 +219,52 @@ class SvgReader {
     // By default the content is in the middle of its frame.
     const Rational left = (wide - factor * view[2]) / Rational(2) - factor * view[0];
     const Rational top = (high - factor * view[3]) / Rational(2) - factor * view[1];
-    return {Affine{factor, {}, left, {}, factor, top}};
+    state.map = state.map.after({Affine{factor, {}, left, {}, factor, top}});
+    state.viewport = Size{view[2], view[3]};
+    return true;
   }
 
   void children(std::size_t parent, const State& state, int depth) {
     const auto& elements = document_.elements();
     for (std::size_t i = parent + 1; i < elements[parent].next; i = elements[i].next) {
-      draw(i, state, depth);
+      // The first child that may be drawn is the only one of a switch.
+      if (draw(i, state, depth) && document_.name(parent) == "switch") break;
     }
   }
 
-  void draw(std::size_t index, State state, int depth) {
+  /// Draws an element, as `used` by another one or in its place. Returns false if it is nothing
+  /// that is drawn, or if its own conditions do not let it be.
+  bool draw(std::size_t index, State state, int depth, const Element* use_of = nullptr) {
     constexpr std::size_t kMostUsed = 1'000'000;  // symbols in symbols multiply
     cancellation_.check(256);
     const Element e = element(index);
-    if (is_one_of(e.name, kUndrawn)) return;
+    const bool used_symbol = use_of != nullptr && e.name == "symbol";
+    if (is_one_of(e.name, kUndrawn) && !used_symbol) return false;
+    for (const char* const condition : {"systemLanguage", "requiredExtensions"}) {
+      if (e.find(condition) == nullptr) continue;
+      ++ignored_[condition];
+      return false;
+    }
     if (depth > 0 && ++used_ > kMostUsed) {
       document_.cursor().fail(ErrorCode::kLimitExceeded,
                               "'use' draws more elements than the limit of 1000000",
                               position_of(e));
     }
     state.style = styles_.style_of(state.style, e.name, e.attributes, ignored_);
-    if (state.style.removed) return;
+    if (state.style.removed) return true;
     if (const XmlAttribute* const transform = e.find("transform")) {
       state.map = state.map.after(take_transform(cursor_on(document_, *transform)));
     }
-    if (is_one_of(e.name, kGroups)) {
-      if (e.name == "svg") {
-        state.map = state.map.after({Affine::translation(length(e, "x"), length(e, "y"))});
-        state.map = state.map.after(of_frame(e, length(e, "width"), length(e, "height")));
-      }
+    if (e.name == "svg" || used_symbol) {
+      if (enter_frame(e, use_of, state)) children(index, state, depth);
+    } else if (is_one_of(e.name, kGroups)) {
       children(index, state, depth);
     } else if (e.name == "use") {
       use(e, state, depth);
     } else if (!state.style.hidden) {
       with_place(document_.cursor(), position_of(e), [&] { shape(e, state); });
     }
+    return true;
   }
 
   void use(const Element& e, State state, int depth) {
@@ -207,13 +286,7 @@ class SvgReader {
       fail("no element has the id '" + std::string(href->value.substr(1)) + "'", href->position);
     }
     state.map = state.map.after({Affine::translation(length(e, "x"), length(e, "y"))});
-    const Element target = element(found->second);
-    if (target.name != "symbol") return draw(target.index, state, depth);
-    const NearAffine frame = of_frame(target, length(e, "width", length(target, "width")),
-                                      length(e, "height", length(target, "height")));
-    state.map = state.map.after(frame);
-    state.style = styles_.style_of(state.style, target.name, target.attributes, ignored_);
-    if (!state.style.removed) children(target.index, state, depth);
+    draw(found->second, state, depth, &e);
   }
 
   void find_ids() {
@@ -237,8 +310,8 @@ class SvgReader {
       box(e);
     } else if (e.name == "circle" || e.name == "ellipse") {
       const bool round = e.name == "circle";
-      const Rational rx = length(e, round ? "r" : "rx");
-      const Rational ry = round ? rx : length(e, "ry");
+      const Rational rx = round ? length(e, "r") : radius(e, "rx", "ry");
+      const Rational ry = round ? rx : radius(e, "ry", "rx");
       if (rx.sign() < 0 || ry.sign() < 0) fail("a radius is negative", position_of(e));
       const Point at{length(e, "cx"), length(e, "cy")};
       if (rx.sign() > 0 && ry.sign() > 0) {
@@ -257,17 +330,23 @@ class SvgReader {
     outlines_.end(state.style.even_odd ? FillRule::kEvenOdd : FillRule::kNonZero);
   }
 
+  /// Returns a radius, which is the other one if it is not said.
+  [[nodiscard]] Rational radius(const Element& e, std::string_view own,
+                                std::string_view other) const {
+    for (const std::string_view name : {own, other}) {
+      const XmlAttribute* const found = e.find(name);
+      if (found != nullptr && found->value != "auto") return length(e, name);
+    }
+    return {};
+  }
+
   void box(const Element& e) {
     const Rational wide = length(e, "width");
     const Rational high = length(e, "height");
     if (wide.sign() < 0 || high.sign() < 0) fail("a rectangle's size is negative", position_of(e));
     if (wide.sign() == 0 || high.sign() == 0) return;
-    const auto radius = [&](std::string_view own, std::string_view other) {
-      const XmlAttribute* const found = e.find(own);
-      return found != nullptr && found->value != "auto" ? length(e, own) : length(e, other);
-    };
-    const Rational rx = std::min(radius("rx", "ry"), wide / Rational(2));
-    const Rational ry = std::min(radius("ry", "rx"), high / Rational(2));
+    const Rational rx = std::min(radius(e, "rx", "ry"), wide / Rational(2));
+    const Rational ry = std::min(radius(e, "ry", "rx"), high / Rational(2));
     if (rx.sign() < 0 || ry.sign() < 0) fail("a radius is negative", position_of(e));
     const Point low{length(e, "x"), length(e, "y")};
     add_rounded_box(low, {low.x + wide, low.y + high}, rx, ry, outlines_);

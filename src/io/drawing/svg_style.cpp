@@ -21,32 +21,80 @@ void for_each_part(std::string_view text, char separator, Visit visit) {
   }
 }
 
-void set(SvgStyle& style, std::string_view property, std::string_view value, Ignored& ignored) {
-  value = trimmed(value.substr(0, value.find('!')));
-  if (property == "display") {
-    style.removed = style.removed || value == "none";
-  } else if (property == "visibility") {
-    if (value != "inherit") style.hidden = value != "visible";
-  } else if (property == "fill") {
-    if (value != "inherit") style.filled = value != "none" && value != "transparent";
-  } else if (property == "fill-rule") {
-    if (value != "inherit") style.even_odd = value == "evenodd";
-  } else if (property == "clip-path" || property == "mask") {
-    if (value != "none") ++ignored[std::string(property)];
+/// Calls visit(word) for what stands between spaces.
+template <class Visit>
+void for_each_word(std::string_view text, Visit visit) {
+  while (!(text = trimmed(text)).empty()) {
+    const auto end = std::find_if(text.begin(), text.end(), is_space);
+    const auto length = static_cast<std::size_t>(end - text.begin());
+    visit(text.substr(0, length));
+    text.remove_prefix(length);
   }
 }
 
-void set_all(SvgStyle& style, std::string_view declarations, Ignored& ignored) {
+/// Tells whether a text is the word, which has small letters, in small letters or capitals.
+bool is(std::string_view text, std::string_view word) {
+  return std::equal(text.begin(), text.end(), word.begin(), word.end(), [](char a, char b) {
+    return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+  });
+}
+
+/// Properties by which style sheets may move and size shapes.
+constexpr std::string_view kGeometry[] = {"transform", "d",  "x", "y",  "width", "height",
+                                          "cx",        "cy", "r", "rx", "ry"};
+
+void set(SvgStyle& style, std::string_view property, std::string_view value, Ignored& ignored) {
+  if (is(value, "inherit")) return;
+  if (is(property, "display")) {
+    style.removed = is(value, "none");
+  } else if (is(property, "visibility")) {
+    if (is(value, "visible")) style.hidden = false;
+    if (is(value, "hidden") || is(value, "collapse")) style.hidden = true;
+  } else if (is(property, "fill")) {
+    style.filled = !is(value, "none") && !is(value, "transparent");
+  } else if (is(property, "fill-rule")) {
+    if (is(value, "nonzero")) style.even_odd = false;
+    if (is(value, "evenodd")) style.even_odd = true;
+  } else if (is(property, "clip-path") || is(property, "mask")) {
+    if (!is(value, "none")) ++ignored[std::string(property)];
+  }
+}
+
+/// Sets what the declarations say, either the important ones or the others.
+void set_all(SvgStyle& style, std::string_view declarations, bool important, Ignored& ignored) {
   for_each_part(declarations, ';', [&](std::string_view part) {
     const std::size_t colon = part.find(':');
     if (colon == std::string_view::npos) return;
     const std::string_view property = trimmed(part.substr(0, colon));
-    if (property == "transform") {
-      ++ignored["transform in a style"];
+    const std::string_view rest = part.substr(colon + 1);
+    const std::size_t mark = std::min(rest.find('!'), rest.size());
+    if ((mark < rest.size()) != important) return;
+    if (std::any_of(std::begin(kGeometry), std::end(kGeometry),
+                    [&](std::string_view name) { return is(property, name); })) {
+      ++ignored[std::string(property) + " in a style"];
     } else {
-      set(style, property, part.substr(colon + 1), ignored);
+      set(style, property, trimmed(rest.substr(0, mark)), ignored);
     }
   });
+}
+
+/// Returns a style sheet without the rules that begin with '@', and without what these hold.
+std::string without_conditional_rules(std::string_view sheet, Ignored& ignored) {
+  std::string kept;
+  while (!sheet.empty()) {
+    const std::size_t at = std::min(sheet.find('@'), sheet.size());
+    kept += sheet.substr(0, at);
+    if (at == sheet.size()) break;
+    ++ignored["rule of a style sheet"];
+    std::size_t end = std::min(sheet.find_first_of(";{", at), sheet.size());
+    for (int open = 0; end < sheet.size(); ++end) {
+      if (sheet[end] == '{') ++open;
+      if (sheet[end] == '}') --open;
+      if (open == 0) break;
+    }
+    sheet.remove_prefix(std::min(end + 1, sheet.size()));
+  }
+  return kept;
 }
 
 bool is_word(std::string_view text) {
@@ -70,7 +118,7 @@ void SvgStyles::add(std::string_view sheet, Ignored& ignored) {
     if (const std::size_t at = text.find(mark); at != std::string::npos)
       text.erase(at, mark.size());
   }
-  for_each_part(text, '}', [&](std::string_view rule) {
+  for_each_part(without_conditional_rules(text, ignored), '}', [&](std::string_view rule) {
     const std::size_t brace = rule.find('{');
     if (brace == std::string_view::npos) return;
     const std::string body(rule.substr(brace + 1));
@@ -103,18 +151,19 @@ SvgStyle SvgStyles::style_of(SvgStyle style, std::string_view name,
     if (attribute.name == "id") id = attribute.value;
     if (attribute.name == "class") classes = attribute.value;
     if (attribute.name == "style") own = attribute.value;
-    set(style, attribute.name, attribute.value, ignored);
+    set(style, attribute.name, trimmed(attribute.value), ignored);
   }
-  for (const Rule& rule : rules_) {
-    if (!rule.tag.empty() && rule.tag != name) continue;
-    bool meant = rule.sign == ' ' || (rule.sign == '#' && rule.kind == id);
-    if (rule.sign == '.') {
-      for_each_part(classes, ' ',
-                    [&](std::string_view part) { meant = meant || part == rule.kind; });
+  for (const bool important : {false, true}) {
+    for (const Rule& rule : rules_) {
+      if (!rule.tag.empty() && rule.tag != name) continue;
+      bool meant = rule.sign == ' ' || (rule.sign == '#' && rule.kind == id);
+      if (rule.sign == '.') {
+        for_each_word(classes, [&](std::string_view word) { meant = meant || word == rule.kind; });
+      }
+      if (meant) set_all(style, rule.text, important, ignored);
     }
-    if (meant) set_all(style, rule.text, ignored);
+    set_all(style, own, important, ignored);
   }
-  set_all(style, own, ignored);
   return style;
 }
 

@@ -49,6 +49,8 @@ TEST(Svg, StraightShapesAreExact) {
       {"<path d='M0 0L1 0V1L0 1'/>", kSquare},
       {"<path fill='none' d='M0 0L1 0V1L0 1'/>", "LINESTRING (0 -1, 1 -1, 1 0, 0 0)"},
       {"<path fill='none' d='M0 0H1V1H0V0'/>", kSquare},
+      {"<path fill='none' d='M0 0H10m1 1L20 5zm1 0h1'/>",
+       "MULTILINESTRING ((0 0, 10 0), (11 -1, 20 -5), (12 -1, 13 -1))"},
       {"<path d='M0 0L1.5.5-1-2z'/>", "POLYGON ((-1 2, 0 0, 3/2 -1/2, -1 2))"},
       {"<path d='M0 0C0 0 1 0 1 0S1 1 1 1Q1 1 0 1z'/>", kSquare},
       {"<path d='M0 0C0 0 0 0 0 0L1 0 1 1 0 1q0 0 0 0z'/>", kSquare},
@@ -97,6 +99,64 @@ TEST(Svg, StraightShapesAreExact) {
 }
 
 // Each group draws the one before it ten times.
+TEST(Svg, FramesScaleWhatTheyHold) {
+  struct Case {
+    const char* content;
+    const char* attributes;
+    const char* wkt;
+  };
+  constexpr const char* kPage = " viewBox='3 5 40 20'";
+  constexpr const char* kFour = "POLYGON ((0 -4, 4 -4, 4 0, 0 0, 0 -4))";
+  constexpr const char* kSixteen = "POLYGON ((0 -16, 16 -16, 16 0, 0 0, 0 -16))";
+  const std::vector<Case> cases = {
+      {"<svg viewBox='0 0 10 5'><rect width='4' height='4'/></svg>", kPage, kSixteen},
+      {"<svg viewBox='0 0 10 5'><rect width='4' height='4'/></svg>", " width='40' height='20'",
+       kSixteen},
+      {"<svg viewBox='0 0 10 5' width='25%' height='25%'><rect width='4' height='4'/></svg>", kPage,
+       kFour},
+      {"<svg viewBox='0 0 9 9'><svg viewBox='0 0 9 9' width='9' height='9'><rect width='4' "
+       "height='4'/></svg></svg>",
+       " width='9' height='9'", kFour},
+      {"<symbol id='s' viewBox='0 0 10 5'><rect width='4' height='4'/></symbol><use href='#s'/>",
+       kPage, kSixteen},
+      {"<defs><svg id='s' width='1' height='1' viewBox='0 0 10 5'><rect width='4' height='4'/>"
+       "</svg></defs><use href='#s' width='10' height='5'/>",
+       "", kFour},
+      {"<svg width='0'><rect width='4' height='4'/></svg>", kPage, "POLYGON EMPTY"},
+      {"<svg><rect width='4' height='4'/></svg>", "", kFour},
+      {"<svg viewBox='0 0 1 1'><rect width='4' height='4'/></svg>", "",
+       "1:42: the size of the frame is not known: it needs a width and a height, or the root does"},
+      {"<svg viewBox='0 0 1 1' width='1' height='-1'/>", kPage,
+       "1:102: the size of a frame is negative"},
+  };
+  for (const auto& [content, attributes, wkt] : cases) {
+    EXPECT_EQ(read_exactly(svg(content, attributes)), wkt) << content << attributes;
+  }
+}
+
+TEST(Svg, StylesSayWhatIsDrawn) {
+  const std::string square = "<rect id='i' class='a\tk' width='1' height='1'/>";
+  for (const std::string& shown :
+       {"<style>rect{display:none} .k{display:inline}</style>" + square,
+        "<style>@media print{.x{fill:red} .k{display:none}} @import 'a'; .k{}</style>" + square,
+        "<style media='print'>rect{display:none}</style>" + square,
+        "<style>#i{display:inline!important} rect{display:none!important}</style>" + square,
+        std::string("<rect display='none' style='display:inline' width='1' height='1'/>"),
+        "<switch><path systemLanguage='xx' d='M5 5h9v9'/>" + square +
+            "<path d='M5 5h9v9'/></switch>"}) {
+    EXPECT_EQ(read_exactly(svg(shown)), kSquare) << shown;
+  }
+  for (const std::string& removed :
+       {"<style>rect{display:none!important} #i{display:inline}</style>" + square,
+        "<g style='Display: NONE'>" + square + "</g>",
+        "<g requiredExtensions='urn:x'>" + square + "</g>"}) {
+    EXPECT_EQ(read_exactly(svg(removed)), "POLYGON EMPTY") << removed;
+  }
+  EXPECT_EQ(read_exactly(svg("<g fill-rule='evenodd'><path fill-rule='odd' d='M0 0H4V4H0zM1 1H3V3"
+                             "H1z'/></g>")),
+            "POLYGON ((0 -4, 4 -4, 4 0, 0 0, 0 -4), (1 -3, 1 -1, 3 -1, 3 -3, 1 -3))");
+}
+
 TEST(Svg, WhatUseDrawsIsLimited) {
   std::string content = "<g id='g0'><rect width='1' height='1'/></g>";
   EXPECT_EQ(read_exactly(svg(content + "<use href='#g0'/>")), kSquare);
@@ -155,6 +215,7 @@ TEST(Svg, CurvesHaveTheirAreaWithinTheTolerance) {
   const std::vector<Case> cases = {
       {"<circle cx='3' cy='4' r='2'/>", 4 * kPi, 13},
       {"<ellipse rx='3' ry='1'/>", 3 * kPi, 14},
+      {"<ellipse rx='auto' ry='2'/>", 4 * kPi, 13},
       {"<rect width='10' height='8' rx='2'/>", 80 - (4 - kPi) * 4, 36},
       {"<rect width='10' height='8' rx='9' ry='1'/>", 80 - (4 - kPi) * 5, 36},
       {"<path d='M-2 0a2 2 0 1 0 4 0a2 2 0 1 0 -4 0'/>", 4 * kPi, 13},
