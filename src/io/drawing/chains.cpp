@@ -18,6 +18,17 @@ bool path_before(const Chain& a, const Chain& b) {
                                       comes_before);
 }
 
+/// Makes paths of equal rings equal: each begins at its least vertex, and goes on to the lesser one
+/// of that one's neighbours.
+void make_canonical(Chain& ring) {
+  std::vector<Point>& path = ring.path;
+  if (path.size() > 1 && path.front() == path.back()) path.pop_back();
+  std::rotate(path.begin(), std::min_element(path.begin(), path.end(), comes_before), path.end());
+  if (path.size() > 2 && comes_before(path.back(), path[1])) {
+    std::reverse(path.begin() + 1, path.end());
+  }
+}
+
 /// Drops chains that occur before, and returns how many.
 std::size_t drop_repeated(std::vector<Chain>& chains, Cancellation& cancellation) {
   std::stable_sort(chains.begin(), chains.end(), cancellation.counting(path_before));
@@ -96,8 +107,8 @@ class Joiner {
     }
   }
 
-  /// Adds what the joined chains are, and returns how many of them are open.
-  std::size_t add() {
+  /// Adds joined chains that are open, and returns how many these are. The others go to `rings`.
+  std::size_t add(std::vector<Chain>& rings) {
     std::size_t open = 0;
     used_.assign(chains_.size(), false);
     for (std::size_t end = 0; end < partner_.size(); ++end) {
@@ -106,7 +117,7 @@ class Joiner {
       ++open;
     }
     for (std::size_t i = 0; i < chains_.size(); ++i) {
-      if (!used_[i]) outlines_.add_ring(follow(2 * i));
+      if (!used_[i]) rings.push_back(follow(2 * i));
     }
     return open;
   }
@@ -154,13 +165,14 @@ Joined add_joined(std::vector<Chain> open, std::vector<Chain> closed, const Rati
     }
   }
   std::erase_if(open, [](const Chain& chain) { return chain.path.empty(); });
-  result.repeated =
-      drop_repeated(open, outlines.cancellation()) + drop_repeated(closed, outlines.cancellation());
-  for (Chain& chain : closed) outlines.add_ring(std::move(chain));
+  result.repeated = drop_repeated(open, outlines.cancellation());
   Joiner joiner(open, outlines);
   joiner.join_equal();
   joiner.join_near(distance);
-  result.open = joiner.add();
+  result.open = joiner.add(closed);
+  for (Chain& ring : closed) make_canonical(ring);
+  result.repeated += drop_repeated(closed, outlines.cancellation());
+  for (Chain& ring : closed) outlines.add_ring(std::move(ring));
   return result;
 }
 

@@ -167,6 +167,7 @@ class DxfReader {
     if (depth >= given_.max_depth) {
       fail_limit("blocks are nested deeper than the limit of " + std::to_string(given_.max_depth));
     }
+    shapes_.check_flat(entity);
     const Block& block = found->second;
     const auto scale = [&](int code) { return values.number(code, 1); };
     if (values.number(210, 0).sign() != 0 || values.number(220, 0).sign() != 0) {

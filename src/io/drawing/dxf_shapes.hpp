@@ -16,6 +16,9 @@ class DxfShapes {
   /// of this type are not read.
   [[nodiscard]] bool add(const DxfEntity& entity, const NearAffine& map);
 
+  /// Fails if an entity has a height other than 0, unless heights are dropped.
+  void check_flat(const DxfEntity& entity) const;
+
   std::vector<Chain> open;
   std::vector<Chain> closed;
 
@@ -40,7 +43,6 @@ class DxfShapes {
     std::vector<Rational> weights;
   };
 
-  void check_flat(const DxfEntity& entity) const;
   /// Returns the map of an entity in its own coordinates, by the normal of its plane.
   [[nodiscard]] NearAffine own(const DxfValues& values, const DxfEntity& entity) const;
   [[nodiscard]] bool is_mirrored(const DxfValues& values, const DxfEntity& entity) const;

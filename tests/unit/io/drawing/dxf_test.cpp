@@ -60,6 +60,11 @@ TEST(Dxf, StraightShapesAreExact) {
       {kBox, kBoxWkt},
       {kBox + " " + kSmall, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"},
       {kBox + " " + kBox, kBoxWkt},
+      {kBox + " 0 LWPOLYLINE 70 1 10 4 20 4 10 4 20 0 10 0 20 0 10 0 20 4", kBoxWkt},
+      {kBox + " 0 LWPOLYLINE 70 1 10 4 20 4 10 0 20 4 10 0 20 0 10 4 20 0", kBoxWkt},
+      {kBox + " " + line("0,0", "4,0") + " " + line("0,4", "0,0") + " " + line("0,4", "4,4") + " " +
+           line("4,4", "4,0"),
+       kBoxWkt},
       {line("0,0", "4,0") + " " + line("0,4", "0,0") + " " + line("0,4", "4,4") + " " +
            line("4,4", "4,0"),
        kBoxWkt},
@@ -100,6 +105,8 @@ TEST(Dxf, BlocksAreInserted) {
   EXPECT_EQ(read_insert("2 Deep 10 0 20 0"), "POLYGON ((0 0, 1 0, 1 1, 0 0))");
   EXPECT_EQ(read_insert("2 B 10 0 20 0 70 2 44 5"),
             "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)), ((5 0, 6 0, 6 1, 5 0)))");
+  EXPECT_EQ(read_insert("2 B 10 0 20 0 30 7"),
+            "78:1: a point has a height other than 0 (io::ReadOptions::drop_z keeps x and y)");
   EXPECT_EQ(read_insert("2 self 10 0 20 0"), "54:1: blocks are nested deeper than the limit of 32");
   EXPECT_EQ(read_insert("2 c 10 0 20 0").substr(6), "no block has the name 'c'");
 }
