@@ -104,14 +104,12 @@ Command describe_check(CommandLine& line, CheckArguments& arguments, ProcessLimi
           "How far, in x and in y, the result may be off; 0, the default: not at all")
       .type_name("D");
   CheckOptions& how = arguments.how;
-  const auto add_count = [check](const char* name, auto& count, const char* what) {
-    check.add_option(name, count, what).type_name("N");
-  };
-  add_count("--samples", how.samples, "Random points, beside those near edges; 1000 without it");
-  add_count("--edges", how.edges,
+  add_count(check, "--samples", how.samples,
+            "Random points, beside those near edges; 1000 without it");
+  add_count(check, "--edges", how.edges,
             "Edges of the result near which points are tested; 10000 without it");
-  add_count("--seed", how.seed, "Seed of the random points");
-  add_count("--proof-segments", how.proof.max_segments,
+  add_count(check, "--seed", how.seed, "Seed of the random points");
+  add_count(check, "--proof-segments", how.proof.max_segments,
             "Largest signed convolution for which the whole sum is compared");
   check.add_flag("--json", arguments.json, "As JSON");
   add_limit_options(check, limits, false);

@@ -28,23 +28,6 @@ std::optional<std::uint64_t> parse_with_suffix(std::string_view text, std::strin
   return value;
 }
 
-template <typename Value>
-void add_count(const Command& command, const char* name, Value& value, const char* what) {
-  command
-      .add_option(
-          name,
-          [name, &value](const std::string& text) {
-            const std::optional<std::uint64_t> count = parse_count(text);
-            if (!count) {
-              reject_value(name, "takes a count as 500000, 500K or 2M, not '" + text + "'");
-            }
-            value = static_cast<Value>(*count);
-          },
-          what)
-      .type_name("N")
-      .group(kGroup);
-}
-
 std::uint64_t take_size(const char* name, const std::string& text) {
   const std::optional<std::uint64_t> size = parse_size(text);
   if (!size) {
@@ -87,13 +70,30 @@ std::optional<std::uint64_t> default_memory() {
   return bytes > 0 ? std::optional(bytes) : std::nullopt;
 }
 
+Option add_count(const Command& command, const char* name, std::uint64_t& count, const char* what) {
+  return command
+      .add_option(
+          name,
+          [name, &count](const std::string& text) {
+            const std::optional<std::uint64_t> value = parse_count(text);
+            if (!value) {
+              reject_value(name, "takes a count as 500000, 500K or 2M, not '" + text + "'");
+            }
+            count = *value;
+          },
+          what)
+      .type_name("N");
+}
+
 void add_limit_options(const Command& command, ProcessLimits& limits, bool sum) {
   limits.memory = default_memory();
   add_count(command, "--max-vertices", limits.read.max_vertices,
-            "Vertices of an operand (default 2^30)");
+            "Vertices of an operand (default 2^30)")
+      .group(kGroup);
   if (sum) {
     add_count(command, "--max-segments", limits.sum.max_segments,
-              "Segments of the convolution (default 2^28)");
+              "Segments of the convolution (default 2^28)")
+        .group(kGroup);
     add_max_crossings(command, limits.sum.max_crossings, "Crossings among them (default 2^28)");
   }
   command
@@ -127,7 +127,7 @@ void add_limit_options(const Command& command, ProcessLimits& limits, bool sum) 
 }
 
 void add_max_crossings(const Command& command, std::uint64_t& most, const char* what) {
-  add_count(command, "--max-crossings", most, what);
+  add_count(command, "--max-crossings", most, what).group(kGroup);
 }
 
 void add_seconds(const Command& command, double& seconds, const char* what) {

@@ -22,6 +22,9 @@ struct ProcessLimits {
 /// Returns the size of the machine's memory; none where it is unknown or no useful limit.
 [[nodiscard]] std::optional<std::uint64_t> default_memory();
 
+/// Adds an option that takes a count (see parse_count). The parser rejects anything else.
+Option add_count(const Command& command, const char* name, std::uint64_t& count, const char* what);
+
 /// Adds --max-vertices, --max-bytes, --max-memory and --timeout; with `sum`, --max-segments and
 /// --max-crossings as well. The parser rejects bad values.
 void add_limit_options(const Command& command, ProcessLimits& limits, bool sum);

@@ -40,7 +40,7 @@ bool looks_like_poly(TextCursor cursor) {
   const bool lone_zero = zero && cursor.position() == start + 1;
   cursor.skip_space_and_comments();
   if (cursor.at_end()) return lone_zero;
-  if (!take_count()) return false;
+  if (!take_count() || is_letter(cursor.peek())) return false;  // the letter is an exponent's
   cursor.skip_space_and_comments();
   return is_letter(cursor.peek());
 }

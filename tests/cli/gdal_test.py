@@ -197,6 +197,12 @@ class Gdal(ProgramTest):
             made = self.made("GPKG" if name.endswith("gpkg") else "FlatGeobuf", name).read_bytes()
             cut = self.file("cut.bin", made[:len(made) // 3])
             self.fails(2, f"{cut}: ", "info", cut)
+        cut = self.made("ESRI Shapefile", "cut.shp")
+        cut.write_bytes(cut.read_bytes()[:-200])
+        self.fails(2, f"{cut}: feature ", "info", cut)
+        for end in (-1, -1000):
+            cut = self.file("end.fgb", self.made("FlatGeobuf", f"whole{end}.fgb").read_bytes()[:end])
+            self.fails(2, f"{cut}: ", "info", cut)
         self.fails(2, "but GDAL cannot open it: ", "info",
                    self.file("no.zip", b"PK\3\4" + bytes(100)))
 

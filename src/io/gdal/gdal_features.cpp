@@ -72,6 +72,9 @@ class LayerReader {
       const Owned feature(gdal_.OGR_L_GetNextFeature(layer_), gdal_.OGR_F_Destroy);
       if (!feature) break;
       ++count_;
+      // A part of a file that is cut off gives features without geometry.
+      if (gdal_.CPLGetLastErrorType() >= kFailure)
+        fail(in_feature() + "GDAL fails" + last_message(gdal_));
       add(feature.get());
       cancellation_.check(text_.size() - counted_to_);
       counted_to_ = text_.size();
@@ -86,6 +89,13 @@ class LayerReader {
       fail("GDAL fails behind feature " + std::to_string(count_) + last_message(gdal_));
     }
     return std::move(text_);
+  }
+
+  /// Fails if there were fewer features than the file says.
+  void require_all(std::int64_t announced) const {
+    if (announced <= static_cast<std::int64_t>(count_)) return;
+    fail("the file says that it has " + std::to_string(announced) + " features, but GDAL finds " +
+         std::to_string(count_) + ": it seems to be cut off");
   }
 
  private:
@@ -225,7 +235,14 @@ std::optional<std::string> features_by_gdal(const std::string& path, const std::
     fail("this looks like " + name + ", but GDAL cannot open it" + last_message(*gdal));
   }
   const Handle layer = choose_layer(*gdal, dataset.get(), options.drawing.layer);
-  return LayerReader(*gdal, layer, options).read();
+  LayerReader reader(*gdal, layer, options);
+  std::string features = reader.read();
+  // GDAL finds the end of a FlatGeobuf that is cut off without an error. Other formats may count
+  // deleted features.
+  if (name.find("FlatGeobuf") != std::string::npos) {
+    reader.require_all(gdal->OGR_L_GetFeatureCount(layer, 0));
+  }
+  return features;
 }
 
 }  // namespace minksum::io

@@ -54,6 +54,7 @@ std::optional<Library> load() {
   MINKSUM_FIND(OGR_L_GetGeomType);
   MINKSUM_FIND(OGR_L_GetSpatialRef);
   MINKSUM_FIND(OGR_L_GetNextFeature);
+  MINKSUM_FIND(OGR_L_GetFeatureCount);
   MINKSUM_FIND(OGR_F_Destroy);
   MINKSUM_FIND(OGR_F_GetFID);
   MINKSUM_FIND(OGR_F_GetGeometryRef);

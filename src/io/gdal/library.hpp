@@ -19,6 +19,7 @@ struct Library {
   int (*OGR_L_GetGeomType)(Handle layer);
   Handle (*OGR_L_GetSpatialRef)(Handle layer);
   Handle (*OGR_L_GetNextFeature)(Handle layer);
+  std::int64_t (*OGR_L_GetFeatureCount)(Handle layer, int force);
   void (*OGR_F_Destroy)(Handle feature);
   std::int64_t (*OGR_F_GetFID)(Handle feature);
   Handle (*OGR_F_GetGeometryRef)(Handle feature);

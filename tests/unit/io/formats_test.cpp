@@ -193,6 +193,7 @@ TEST(Formats, AreToldByContent) {
   EXPECT_EQ(detect_format("3\n0 0\n"), Format::kDat);
   EXPECT_EQ(detect_format("0"), Format::kPoly);
   EXPECT_EQ(detect_format("3 0 0 1 0 0 1"), Format::kDat);
+  EXPECT_EQ(detect_format("3\n1e1 0 4 0 0 4"), Format::kDat);
   EXPECT_EQ(detect_format(""), Format::kWkt);
   EXPECT_EQ(detect_format("?"), Format::kWkt);
 }
