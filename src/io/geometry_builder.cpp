@@ -33,6 +33,13 @@ void GeometryBuilder::set_srid(std::int32_t srid, std::size_t position) {
 void GeometryBuilder::set_crs(std::string_view crs, std::size_t position) {
   if (source_.crs.empty()) source_.crs = crs;
   if (source_.crs == crs) return;
+  const auto number_of = [](std::string_view member) {
+    SourceInfo source;
+    source.crs = member;
+    return srid_of(source);
+  };
+  const auto number = number_of(crs);
+  if (number && number == number_of(source_.crs)) return;  // two spellings of one system
   cursor_->fail(ErrorCode::kBadInput,
                 "this \"crs\" differs from an earlier one; transform one of them first", position);
 }

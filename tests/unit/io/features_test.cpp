@@ -131,6 +131,12 @@ TEST(Features, ReferenceSystemsAgree) {
   EXPECT_EQ(refusal("0101000020e6100000000000000000f03f0000000000000040\nSRID=1;POINT (1 2)"),
             "2:6: geometry 2: the reference system 1 differs from that of earlier geometries, "
             "4326; transform one of them first");
+  const std::string named = R"({"type":"Point","coordinates":[1,2],"crs":{"type":"name",)"
+                            R"("properties":{"name":")";
+  EXPECT_EQ(srid_of(read_document(named + "EPSG:4326\"}}}\n" + named +
+                                  "urn:ogc:def:crs:OGC:1.3:CRS84\"}}}")
+                        .source),
+            4326);
   EXPECT_EQ(
       refusal(R"({"type":"FeatureCollection","crs":1,"features":[{"crs":2}]})"),
       "1:56: feature 1: this \"crs\" differs from an earlier one; transform one of them first");
