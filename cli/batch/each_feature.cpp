@@ -145,7 +145,7 @@ Done EachRun::work_on(const Item& item, Worker& worker) const {
       const FeatureAnswer answer = settings_.answer(feature.geometry, second_.geometry, worker);
       member = answer_member(settings_, feature, answer, item.coordinates);
     } catch (const Error& error) {
-      fail_about(error, names);
+      fail_about(error, names, names[0]);
     }
   } catch (...) {
     member = error_json(0);
@@ -172,6 +172,7 @@ void EachRun::tell_end() const {
   if (has_properties_) {
     note("properties have no place in this format; --format geojson keeps them");
   }
+  note_lost_system(system(), settings_.result.format);
   if (system_came_late_) {
     note(name_ + ": the reference system stands behind features, whose results do not name it");
   }
@@ -202,7 +203,12 @@ int EachRun::run() {
              [this] { static_cast<void>(take()); }});
   static_cast<void>(peek());
   if (stream) stream->write(text.begin(*first_));
-  run.run(work(), [this] { return std::optional(reader_->share()); });
+  try {
+    run.run(work(), [this] { return std::optional(reader_->share()); });
+  } catch (const Failure&) {  // as where a feature cannot be read
+    if (stream) stream->write(text.end(*first_));
+    throw;
+  }
   if (stream) stream->write(text.end(system()));
   tell_end();
   const int code = run.finish(Json::object(), files, [&](LineOutput& lines) {

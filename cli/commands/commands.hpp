@@ -119,7 +119,7 @@ struct TransformArguments : ResultArguments, OperandArguments {
   double tolerance = 1e-3;
   std::optional<Affine> affine;
   std::optional<Point> move;
-  Point about;
+  std::optional<Point> about;
   Affine map;             ///< all of these
   std::string turn_note;  ///< says by which angle the map turns if that is not the typed one
 };
@@ -137,6 +137,7 @@ struct NoFitArguments : ResultArguments, OperandArguments {
 /// `minksum offset A --distance D ...`
 struct OffsetArguments : ResultArguments, OperandArguments {
   Rational distance;
+  std::optional<Rational> miter_limit;
   OffsetOptions shape;
 };
 

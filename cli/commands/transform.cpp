@@ -113,6 +113,7 @@ void add_map_options(const Command& command, TransformArguments& arguments) {
       .add_option("--angle-tolerance", arguments.tolerance,
                   "How many degrees a turn may be off to be a rational one (default 0.001)")
       .check(between(1e-10, 1))
+      .needs("--turn")
       .type_name("D")
       .group(group);
 }
@@ -127,7 +128,10 @@ void convert_map(TransformArguments& arguments) {
   if (!arguments.scale && !arguments.degrees && !arguments.affine && !arguments.move) {
     throw Failure(kWrongUsage, "transform needs --scale, --turn, --affine or --move");
   }
-  const Point& about = arguments.about;
+  if (arguments.about && !arguments.scale && !arguments.degrees) {
+    throw Failure(kWrongUsage, "--about has no meaning without --scale or --turn");
+  }
+  const Point about = arguments.about.value_or(Point());
   Affine map = Affine::translation(-about.x, -about.y);
   if (arguments.scale) map = linear(*arguments.scale).after(map);
   if (arguments.degrees) {

@@ -31,6 +31,7 @@ void add_pair_options(const Command& command, BatchArguments& arguments) {
       .group(group);
   command.add_option("--operation", arguments.operation, "nfp (the default) or sum")
       .one_of({"nfp", "sum"})
+      .needs("--pairs")
       .type_name("OP")
       .group(group);
   command.add_flag("--tight", arguments.tight, "No-fit polygons with tight places").group(group);

@@ -79,6 +79,8 @@ std::string in_our_words(const std::string& message) {
       {": At Most 1 required but received ", " takes one value, not "},
       {": takes ", " takes "},
       {" is required", " is missing"},
+      {" requires ", " has no meaning without "},
+      {" excludes ", " cannot be given together with "},
       {": 1 required ", " needs a value: "}};
   std::string text = message;
   for (const auto& [theirs, ours] : kReplaced) {
@@ -120,14 +122,18 @@ Option Option::required() const {
 Option Option::type_name(const char* name) const {
   if (option_ == nullptr) return *this;
   option_->type_name(name);
-  // The name of an unset variable is no file, and not standard output either.
-  if (name == std::string_view("FILE") || name == std::string_view("DIR")) {
-    option_->check(CLI::Validator(
-        [](const std::string& text) -> std::string {
-          return text.empty() ? "needs a name, not an empty text" : "";
-        },
-        ""));
-  }
+  const std::string_view kind = name;
+  if (kind != "FILE" && kind != "DIR" && kind != "NAME") return *this;
+  // The name of an unset variable is no file, and not standard output either. Where a name is
+  // missing, the next option is none.
+  const bool any = option_->get_positional() || kind == "NAME";
+  option_->check(CLI::Validator(
+      [any](const std::string& text) -> std::string {
+        if (text.empty()) return "needs a name, not an empty text";
+        if (any || !looks_like_option(text)) return "";
+        return "needs a name; write './" + text + "' if '" + text + "' is one";
+      },
+      ""));
   return *this;
 }
 
@@ -187,6 +193,11 @@ Option Option::delimiter(char between) const {
 
 Option Option::excludes(const char* other) const {
   if (option_ != nullptr) option_->excludes(&option_named(*app_, other));
+  return *this;
+}
+
+Option Option::needs(const char* other) const {
+  if (option_ != nullptr) option_->needs(&option_named(*app_, other));
   return *this;
 }
 

@@ -43,6 +43,8 @@ class Option {
   Option delimiter(char between) const;
   /// The two options cannot be given together. The other one must have been added before.
   Option excludes(const char* other) const;
+  /// The option has no meaning without the other one, which must have been added before.
+  Option needs(const char* other) const;
 
  private:
   CLI::App* app_;

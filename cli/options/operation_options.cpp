@@ -162,9 +162,9 @@ Command describe_offset(CommandLine& line, OffsetArguments& arguments, ProcessLi
   command
       .add_option(
           "--miter-limit,--mitre-limit",
-          [&shape](const std::string& text) {
-            shape.miter_limit = parse_number("--miter-limit", text);
-            if (shape.miter_limit >= Rational(1)) return;
+          [&arguments](const std::string& text) {
+            arguments.miter_limit = parse_number("--miter-limit", text);
+            if (*arguments.miter_limit >= Rational(1)) return;
             throw Failure(kWrongUsage, "--miter-limit must be at least 1");
           },
           "How many times the distance a miter may reach; 2 without it; else square")
@@ -235,7 +235,11 @@ void convert(NoFitArguments& arguments) {
 
 void convert(OffsetArguments& arguments) {
   convert_operation(arguments, arguments);
-  const OffsetOptions& shape = arguments.shape;
+  OffsetOptions& shape = arguments.shape;
+  if (arguments.miter_limit && shape.join != Join::kMiter) {
+    throw Failure(kWrongUsage, "--miter-limit has no meaning without --join miter");
+  }
+  shape.miter_limit = arguments.miter_limit.value_or(shape.miter_limit);
   // An offset grows with its operand, so an operand that is a drawing takes the same side.
   arguments.limits.drawing.side = shape.side;
   const bool round = shape.join == Join::kRound && shape.cap == Cap::kRound;

@@ -80,6 +80,7 @@ void add_each_options(const Command& command, EachArguments& arguments,
   command
       .add_flag("--restart", arguments.restart,
                 "With --each: start afresh, even if an earlier run left FILE.partial")
+      .needs("--each")
       .group(group);
 }
 

@@ -11,6 +11,7 @@ void add_telling_options(const Command& command, Telling& telling) {
         .group(group);
   }
   command.add_flag("-q,--quiet", telling.quiet, "Say errors alone: no notes, no progress")
+      .excludes("--verbose")
       .group(group);
   command
       .add_flag("--progress", telling.progress,

@@ -47,8 +47,10 @@ void set_system(io::Coordinates& coordinates, const io::Coordinates& system) {
 
 void note_lost_system(const io::Coordinates& coordinates, io::Format format) {
   using enum io::Format;
+  const bool has_number =
+      io::srid_of({.srid = coordinates.srid, .crs = coordinates.crs}).has_value();
   const bool has_place =
-      format == kWkt || format == kGeoJson || format == kWkb || format == kHexWkb;
+      format == kGeoJson || (has_number && (format == kWkt || format == kWkb || format == kHexWkb));
   if (has_place || !has_system(coordinates)) return;
   note("the reference system of the operands has no place in this format");
 }

@@ -143,11 +143,11 @@ void fail_about_output(const Error& error, const std::string& output) {
   throw failure_of(error, output.empty() || output == "-" ? "standard output" : output);
 }
 
-void fail_about(const Error& error, const std::string (&operands)[2]) {
+void fail_about(const Error& error, const std::string (&operands)[2], const std::string& other) {
   // Where the library throws nothing, it reports lack of memory as an error of this name.
   if (is_about(error, "memory")) throw std::bad_alloc();
   const int operand = error.culprit().operand;
-  throw failure_of(error, operand == 0 || operand == 1 ? operands[operand] : "");
+  throw failure_of(error, operand == 0 || operand == 1 ? operands[operand] : other);
 }
 
 io::Document read_operand(const std::string& file, const io::ReadOptions& limits) {

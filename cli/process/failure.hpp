@@ -42,8 +42,9 @@ void tell(const std::string& message);
 [[nodiscard]] Failure failure_of(const Error& error, const std::string& file);
 
 /// Throws what `error` of an operation on two operands means: a Failure that names the file of its
-/// operand, or std::bad_alloc.
-[[noreturn]] void fail_about(const Error& error, const std::string (&operands)[2]);
+/// operand, or `other` if it is about none, or std::bad_alloc.
+[[noreturn]] void fail_about(const Error& error, const std::string (&operands)[2],
+                             const std::string& other = "");
 
 /// Returns what `make` makes for an output, which is standard output if it is empty or "-". Throws
 /// a Failure that names the output if numbers exceed the range of doubles.

@@ -162,7 +162,7 @@ class Draw(ProgramTest):
         hole = self.fine("draw", twice, "--fill", "evenodd", note="not valid")
         self.assertNotEqual(one, hole)
         self.fails(2, f"{twice}: polygon", "draw", self.frame, twice, "--fill", "strict")
-        self.fails(1, "excludes", "draw", twice, "--fill", "evenodd", "--faults")
+        self.fails(1, "cannot be given together with", "draw", twice, "--fill", "evenodd", "--faults")
 
     def test_faults(self):
         bowtie = self.file("bowtie.wkt", BOWTIE)

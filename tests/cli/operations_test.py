@@ -152,7 +152,7 @@ class Nesting(ProgramTest):
                    self.slit, self.square)
         for option in (["-o", "x"], ["--format", "svg"], ["--svg", "x"], ["--coords", "exact"],
                        ["--round", "inside"]):
-            self.fails(1, "excludes", "nfp", self.slit, self.square, "--at", "0,0", *option)
+            self.fails(1, "cannot be given together with", "nfp", self.slit, self.square, "--at", "0,0", *option)
         self.fails(1, "--at", "ifp", self.slit, self.square, "--at", "0,0")
 
     def test_part_that_does_not_fit(self):
@@ -310,6 +310,41 @@ class DepthOfTwo(ProgramTest):
         self.fails(1, "--svg", "depth", square, square, "--svg", "-")
         self.fails(2, "there is no folder", "depth", square, square, "--svg",
                    self.folder / "no" / "x.svg")
+
+
+class Options(ProgramTest):
+    def test_options_without_effect(self):
+        box = "box:1x1"
+        for words, other in (
+                (["batch", "jobs", "--operation", "sum"], "--pairs"),
+                (["convert", box, "--restart"], "--each"),
+                (["transform", box, "--move", "1,1", "--about", "1,1"], "--scale or --turn"),
+                (["transform", box, "--scale", "2", "--angle-tolerance", "0.1"], "--turn"),
+                (["offset", box, "-d", "1", "--miter-limit", "3"], "--join miter")):
+            self.fails(1, f" has no meaning without {other} (minksum", *words)
+        self.fails(1, "cannot be given together with", "convert", box, "-q", "-v")
+        self.fine("offset", box, "-d", "1", "--join", "miter", "--miter-limit", "3")
+
+    def test_missing_names(self):
+        for option, following in (("--svg", "-q"), ("-o", "-v"), ("--stats", "--svg")):
+            self.fails(1, f"needs a name; write './{following}' if '{following}' is one", "sum",
+                       "box:1x1", "box:1x1", option, following)
+        self.assertEqual(list(self.folder.glob("-*")), [])
+
+    def test_counts(self):
+        box = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"
+        for option in ("--samples", "--edges", "--seed", "--proof-segments"):
+            for text in ("-1", "", "0x10", "1.5", "18446744073709551616"):
+                self.fails(1, f"{option} takes a count as 500000, 500K or 2M, not '{text}'", "check",
+                           box, box, "POINT (0 0)", option, text)
+
+    def test_reference_systems_without_a_number(self):
+        point = self.file("a.json", '{"type": "Point", "coordinates": [1, 2], "crs": {"type": "name",'
+                                    ' "properties": {"name": "mine"}}}')
+        lost = "the reference system of the operands has no place in this format"
+        self.fine("convert", point, note=lost)
+        self.fine("convert", point, "--each", "--format", "wkt", note=lost)
+        self.fine("convert", point, "--format", "geojson")
 
 
 class UsesPage(Page, ProgramTest):

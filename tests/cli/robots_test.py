@@ -117,7 +117,7 @@ class ConfigurationSpace(Robots):
     def test_wrong_usage(self):
         both = ("cspace", self.square, self.walls)
         self.fails(1, "needs --angles or --theta", *both)
-        self.fails(1, "excludes", *both, "--angles", 3, "--theta", "0:1:1")
+        self.fails(1, "cannot be given together with", *both, "--angles", 3, "--theta", "0:1:1")
         for number in ("0", "-1", "x", "1.5", "1000001"):
             self.fails(1, "--angles takes a number", *both, f"--angles={number}")
         for theta, why in (("0:90:0", "step above 0"), ("0:90:-1", "step above 0"),
