@@ -14,8 +14,8 @@ class Cutter {
  public:
   static constexpr std::size_t kMostPieces = std::size_t{1} << 20;
 
-  Cutter(const DoubleCurve& curve, double width, double diameter, Cancellation& cancellation)
-      : curve_(curve), width_(width), diameter_(diameter), cancellation_(cancellation) {}
+  Cutter(const DoubleCurve& curve, const CutSizes& sizes, Cancellation& cancellation)
+      : curve_(curve), sizes_(sizes), cancellation_(cancellation) {}
 
   std::vector<Piece> run(bool box_turns) {
     const std::size_t last = curve_.size() - 1;
@@ -36,8 +36,8 @@ class Cutter {
     cancellation_.check(300);
     Piece result{part, begin, end, false, measure(curve_, part, begin, end)};
     const Extent& extent = result.extent;
-    const bool fits = extent.regular && extent.width <= width_ && extent.length > 0;
-    result.boxed = !fits && extent.diameter <= diameter_;
+    const bool fits = extent.regular && extent.width <= sizes_.width && extent.length > 0;
+    result.boxed = extent.diameter <= (fits ? sizes_.least : sizes_.diameter);
     if (!fits && !result.boxed) result.extent.length = -1;
     return result;
   }
@@ -62,8 +62,8 @@ class Cutter {
     // that is nearly the longest.
     for (int step = 0; low < 0.97 * high; ++step) {
       const Piece tried = of_size(size);
-      const double diameter = tried.extent.diameter / diameter_;
-      const double share = tried.boxed ? diameter * diameter : tried.extent.width / width_;
+      const double diameter = tried.extent.diameter / sizes_.diameter;
+      const double share = tried.boxed ? diameter * diameter : tried.extent.width / sizes_.width;
       (fits(tried) ? low : high) = size;
       if (fits(tried)) {
         best = tried;
@@ -96,7 +96,7 @@ class Cutter {
     // All but the last piece are as long as they may be. As many pieces that are a little shorter
     // leave no short one.
     const auto count = static_cast<double>(pieces.size());
-    const double last = std::sqrt(std::min(pieces.back().extent.width / width_, 1.0));
+    const double last = std::sqrt(std::min(pieces.back().extent.width / sizes_.width, 1.0));
     const double length = (count - 1 + last) / count;
     std::vector<Piece> even;
     for (std::size_t i = 1; i <= pieces.size(); ++i) {
@@ -115,11 +115,13 @@ class Cutter {
     pieces_.insert(pieces_.end(), even.begin(), even.end());
   }
 
-  /// Whether one piece leads back beside the other one.
+  /// Whether the curve turns by more than 45 degrees between two pieces. What lies beside a cut
+  /// there may leave the quadrilateral on the other side.
   static bool turn_sharply(const Piece& a, const Piece& b) {
     const Vector<double>& in = a.extent.chord;
     const Vector<double>& out = b.extent.chord;
-    return !a.boxed && !b.boxed && in.x * out.x + in.y * out.y < 0;
+    const double ahead = in.x * out.x + in.y * out.y;
+    return !a.boxed && !b.boxed && ahead < std::abs(in.x * out.y - in.y * out.x);
   }
   /// Makes boxed pieces of what lies beside a cut between two such pieces.
   void box_sharp_turns() {
@@ -131,10 +133,15 @@ class Cutter {
         size /= 4;  // a piece may have a sharp turn at either end
         boxed = at_begin ? piece(of.part, of.begin, of.begin + size)
                          : piece(of.part, of.end - size, of.end);
-      } while (boxed.extent.diameter > diameter_);
+      } while (boxed.extent.diameter > sizes_.diameter);
       boxed.boxed = true;
       pieces.push_back(boxed);
     };
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {  // a small piece is boxed as a whole
+      const bool turns = (i > 0 && turn_sharply(pieces_[i - 1], pieces_[i])) ||
+                         (i + 1 < pieces_.size() && turn_sharply(pieces_[i], pieces_[i + 1]));
+      if (turns && pieces_[i].extent.diameter <= sizes_.diameter) pieces_[i].boxed = true;
+    }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const Piece& whole = pieces_[i];
       double begin = whole.begin;
@@ -154,8 +161,7 @@ class Cutter {
   }
 
   const DoubleCurve& curve_;
-  double width_;
-  double diameter_;
+  CutSizes sizes_;
   Cancellation& cancellation_;
   mutable double guess_ = 1;
   std::vector<Piece> pieces_;
@@ -238,9 +244,9 @@ Extent measure(const DoubleCurve& curve, std::size_t part, double begin, double 
   return extent;
 }
 
-std::vector<Piece> cut(const DoubleCurve& curve, double width, double diameter, bool box_turns,
+std::vector<Piece> cut(const DoubleCurve& curve, const CutSizes& sizes, bool box_turns,
                        Cancellation& cancellation) {
-  return Cutter(curve, width, diameter, cancellation).run(box_turns);
+  return Cutter(curve, sizes, cancellation).run(box_turns);
 }
 
 }  // namespace minksum::io

@@ -36,10 +36,17 @@ using DoubleCurve = std::vector<Bezier<double>>;
 /// `right` and `left` say how wide it must be at the other end so that it holds the piece.
 [[nodiscard]] Extent measure(const DoubleCurve& curve, std::size_t part, double begin, double end);
 
-/// Cuts the curve into pieces whose extents have a width of at most `width`, or whose diameters
-/// are at most `diameter`. With `box_turns`, two pieces that meet at an acute angle have boxed ones
-/// between them. Throws Error(kLimitExceeded) for more than 2^20 pieces.
-[[nodiscard]] std::vector<Piece> cut(const DoubleCurve& curve, double width, double diameter,
+/// How large pieces may be.
+struct CutSizes {
+  double width;     ///< of the extent of a piece
+  double diameter;  ///< of a piece in a box
+  double least;     ///< the diameter up to which pieces come into boxes although they are regular
+};
+
+/// Cuts the curve into pieces that fit. With `box_turns`, pieces between which the curve turns by
+/// more than 45 degrees have boxed ones between them. Throws Error(kLimitExceeded) for more than
+/// 2^20 pieces.
+[[nodiscard]] std::vector<Piece> cut(const DoubleCurve& curve, const CutSizes& sizes,
                                      bool box_turns, Cancellation& cancellation);
 
 }  // namespace minksum::io

@@ -106,6 +106,17 @@ class Quad {
   bool ends_;
 };
 
+void add_box(const VertexGrid& grid, const GridBox& box, Region& ribbons) {
+  const Point low = grid.at(box.low);
+  const Point high = grid.at(box.high);
+  ribbons.begin_polygon();
+  ribbons.begin_ring();
+  ribbons.add_vertex(low.x, low.y);
+  ribbons.add_vertex(high.x, low.y);
+  ribbons.add_vertex(high.x, high.y);
+  ribbons.add_vertex(low.x, high.y);
+}
+
 /// The pieces of one curve, with what holds them.
 class Ribbon {
  public:
@@ -117,7 +128,7 @@ class Ribbon {
         tolerance_(tolerance),
         side_(side),
         near_(middle_of(curve)),
-        pieces_(cut(near_, width, width / 4, box_turns, cancellation)),
+        pieces_(cut(near_, {width, width / 4, 16 * grid.size()}, box_turns, cancellation)),
         cuts_(pieces_.size()) {
     seen_.reserve(pieces_.size() + 1);
     seen_.emplace_back(Span{});
@@ -152,25 +163,14 @@ class Ribbon {
     for (std::size_t i = 1; i < cuts_.size(); ++i) path.push_back(grid_.at(cuts_[i].vertex));
     path.push_back(curve_.to);
     if (side_ == RoundingSide::kNearest) return;
-    const auto begin = [&ribbons] {
-      ribbons.begin_polygon();
-      ribbons.begin_ring();
-    };
-    for (const auto& [low_corner, high_corner] : boxes_) {
-      const Point low = grid_.at(low_corner);
-      const Point high = grid_.at(high_corner);
-      begin();
-      ribbons.add_vertex(low.x, low.y);
-      ribbons.add_vertex(high.x, low.y);
-      ribbons.add_vertex(high.x, high.y);
-      ribbons.add_vertex(low.x, high.y);
-    }
+    for (const GridBox& box : boxes_) add_box(grid_, box, ribbons);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (pieces_[i].boxed) continue;
       const std::size_t first = i;
       while (i + 1 < pieces_.size() && !pieces_[i + 1].boxed) ++i;
       const auto add = [&ribbons](const Point& p) { ribbons.add_vertex(p.x, p.y); };
-      begin();
+      ribbons.begin_polygon();
+      ribbons.begin_ring();
       if (first == 0) add(curve_.from);
       for (std::size_t k = std::max<std::size_t>(first, 1); k < cuts_.size() && k <= i + 1; ++k) {
         add(grid_.at(cuts_[k].right));
@@ -208,7 +208,8 @@ class Ribbon {
     if (count == 0) return;
     // Moved edges meet so much farther away than the edges are moved.
     const double square = along.x * along.x + along.y * along.y;
-    const double factor = count / square;
+    // Where they turn back, this has no bound, and nothing that is so wide is proved.
+    const double factor = std::min(count / square, 100.0);
     const Vector<double> across{-along.y * factor, along.x * factor};
     double right = 0, left = 0;
     for (const Piece* const piece : {&before, &behind}) {
@@ -302,15 +303,8 @@ class Ribbon {
 
   /// Puts a box around a piece, both its cuts, and what lies beside them.
   [[nodiscard]] bool box(std::size_t i) {
-    double low_x = 0, high_x = 0, low_y = 0, high_y = 0;
-    bool begun = false;
-    const auto take = [&](const Span& p) {
-      low_x = begun ? std::min(low_x, p.x.low) : p.x.low;
-      high_x = begun ? std::max(high_x, p.x.high) : p.x.high;
-      low_y = begun ? std::min(low_y, p.y.low) : p.y.low;
-      high_y = begun ? std::max(high_y, p.y.high) : p.y.high;
-      begun = true;
-    };
+    Hull hull;
+    const auto take = [&hull](const Span& p) { hull.take(p); };
     const Piece& piece = pieces_[i];
     for_each_control(curve_.parts[piece.part].between(piece.begin, piece.end), take);
     if (i > 0 && !pieces_[i - 1].boxed) for_each_control(before_cut(i), take);
@@ -318,13 +312,8 @@ class Ribbon {
     for (const SeenCut* const cut : {&seen_[i], &seen_[i + 1]}) {
       for (const Span& p : {cut->left, cut->right, cut->vertex}) take(p);
     }
-    const double step = grid_.size();
-    const GridPoint low = grid_view_.near(low_x - step, low_y - step);
-    const GridPoint high = grid_view_.near(high_x + step, high_y + step);
-    boxes_.emplace_back(low, high);
-    const Point diagonal = grid_.at({high.x - low.x, high.y - low.y});
-    return diagonal.x * diagonal.x + diagonal.y * diagonal.y <=
-           Rational(tolerance_) * Rational(tolerance_);
+    boxes_.push_back(grid_view_.around(hull));
+    return grid_.has_diagonal_within(boxes_.back(), tolerance_);
   }
 
   const Curve& curve_;
@@ -336,7 +325,7 @@ class Ribbon {
   std::vector<Piece> pieces_;
   std::vector<Cut> cuts_;  ///< cut i is where piece i begins; there is none at the curve's begin
   std::vector<SeenCut> seen_;  ///< from the curve's begin, both ends of the curve as well
-  std::vector<std::pair<GridPoint, GridPoint>> boxes_;
+  std::vector<GridBox> boxes_;
 };
 
 }  // namespace
@@ -351,18 +340,33 @@ void Flattener::flatten(const Curve& curve, std::vector<Point>& path, Region& ri
   constexpr double kMost = 1e100;
   double size = 0;
   bool bounded = true;
+  Hull hull;
+  hull.take({});
+  hull.take(span_between(curve.from, curve.to));
   for (const Bezier<Interval>& part : curve.parts) {
     for (std::size_t i = 0; i < part.size(); ++i) {
       const Control<Interval>& control = part[i];
-      const auto [x, y] = part.at(i);
-      for (const double v : {x.low, x.high, y.low, y.high}) size = std::max(size, std::abs(v));
-      for (const Interval& v : {control.x, control.y, control.w, x, y}) {
+      const Span at = part.at(i);
+      hull.take(at);
+      for (const double v : {at.x.low, at.x.high, at.y.low, at.y.high}) {
+        size = std::max(size, std::abs(v));
+      }
+      for (const Interval& v : {control.x, control.y, control.w, at.x, at.y}) {
         bounded = bounded && -v.low < kMost && v.high < kMost;
       }
       bounded = bounded && control.w.low > 1 / kMost;
     }
   }
   if (!(bounded && tolerance_ > 1e-10 * size)) fail_too_small_tolerance();
+  // A curve that is smaller than the tolerance needs no pieces.
+  if (size < tolerance_) {
+    const GridBox box = GridView(grid_, curve.from).around(hull);
+    if (grid_.has_diagonal_within(box, tolerance_)) {
+      path.push_back(curve.to);
+      if (side_ != RoundingSide::kNearest) add_box(grid_, box, ribbons);
+      return;
+    }
+  }
   // Nine steps are for rounding. If a proof fails, the curve is cut into more pieces. Turns as
   // sharp as that of a hairpin may need pieces much narrower than the tolerance, or else boxes,
   // which add vertices. Cuts are wider than pieces by four steps, so pieces of fewer than six would

@@ -43,6 +43,12 @@ Rational VertexGrid::at(double steps) const {
   return Rational(Decimal{static_cast<std::int64_t>(steps), exponent_});
 }
 
+bool VertexGrid::has_diagonal_within(const GridBox& box, double length) const {
+  const Point diagonal = at({box.high.x - box.low.x, box.high.y - box.low.y});
+  const Rational most(length);
+  return diagonal.x * diagonal.x + diagonal.y * diagonal.y <= most * most;
+}
+
 GridView::GridView(const VertexGrid& grid, const Point& origin)
     : grid_(grid), step_(Interval::of(grid.step())), x_(grid, origin.x), y_(grid, origin.y) {}
 
@@ -50,6 +56,11 @@ GridView::Axis::Axis(const VertexGrid& grid, const Rational& at) : origin(at) {
   const Rational steps = at / grid.step();
   whole = std::floor(steps.to_double());
   if (std::isfinite(whole)) rest = Interval::of(steps - Rational(whole));
+}
+
+GridBox GridView::around(const Hull& hull) const {
+  const double step = grid_.size();
+  return {near(hull.low_x - step, hull.low_y - step), near(hull.high_x + step, hull.high_y + step)};
 }
 
 double GridView::near(const Axis& axis, double offset) const {

@@ -1,6 +1,9 @@
 // Declares the grid on which vertices of curves lie, and rounds points to it.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "io/drawing/curve.hpp"
 #include "minksum/region.hpp"
 
@@ -17,6 +20,24 @@ struct GridPoint {
   friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
+/// A box whose corners are points of the grid.
+struct GridBox {
+  GridPoint low, high;
+};
+
+/// The least box that holds some points.
+struct Hull {
+  double low_x = HUGE_VAL, low_y = HUGE_VAL;
+  double high_x = -HUGE_VAL, high_y = -HUGE_VAL;
+
+  void take(const Span& p) {
+    low_x = std::min(low_x, p.x.low);
+    low_y = std::min(low_y, p.y.low);
+    high_x = std::max(high_x, p.x.high);
+    high_y = std::max(high_y, p.y.high);
+  }
+};
+
 /// The decimals that vertices of curves have.
 class VertexGrid {
  public:
@@ -29,6 +50,8 @@ class VertexGrid {
   [[nodiscard]] Rational near(const Rational& value) const { return at(steps_near(value)); }
   [[nodiscard]] double steps_near(const Rational& value) const;
   [[nodiscard]] Point at(const GridPoint& point) const { return {at(point.x), at(point.y)}; }
+  /// Tells whether the diagonal of a box is no longer than this.
+  [[nodiscard]] bool has_diagonal_within(const GridBox& box, double length) const;
 
  private:
   [[nodiscard]] Rational at(double steps) const;
@@ -46,6 +69,8 @@ class GridView {
   /// Returns the grid's point that is nearest to one that is seen at (x, y). Throws
   /// Error(kLimitExceeded) if doubles do not tell it.
   [[nodiscard]] GridPoint near(double x, double y) const { return {near(x_, x), near(y_, y)}; }
+  /// Returns a box around what is seen in `hull`, one step or two farther out.
+  [[nodiscard]] GridBox around(const Hull& hull) const;
   /// Returns where a point of the grid is seen.
   [[nodiscard]] Span span_to(const GridPoint& point) const {
     return {offset(x_, point.x), offset(y_, point.y)};

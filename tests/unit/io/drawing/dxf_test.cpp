@@ -192,6 +192,17 @@ TEST(Dxf, CurvesHaveTheirAreaWithinTheTolerance) {
   }
 }
 
+TEST(Dxf, SplinesMayHaveKinks) {
+  for (const int x : {4, 3, 2, 1, 0}) {  // the turn is sharper each time
+    const std::string text = dxf(
+        "0 SPLINE 71 2 40 0 40 0 40 0 40 1 40 1 40 2 40 2 40 2 10 0 20 0 10 1 20 0 10 2 20 0 10 " +
+        std::to_string(x) + " 20 2 10 4 20 4");
+    for (const RoundingSide side : {RoundingSide::kNearest, RoundingSide::kOutside}) {
+      EXPECT_NO_THROW(static_cast<void>(read_geometry(text, within(Rational(1, 100), side)))) << x;
+    }
+  }
+}
+
 TEST(Dxf, FaultsHaveAPlace) {
   struct Case {
     std::string text;

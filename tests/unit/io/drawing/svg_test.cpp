@@ -251,7 +251,8 @@ TEST(Svg, CurvesThatTurnSharplyAreRead) {
   for (const char* const d :
        {"M0 0C100 100 0 100 100 0", "M0 0C200 0-100 0 100 0V9", "M0 0C0 0 9 9 9 9V0",
         "M0 0C0 0 70 99 99 99", "M0 0C99 99 0 99 98 0", "M0 0C50 0 50 0 50 50S0 50 0 50",
-        "M0 0A9 .001 0 0 0 9 0", "M0 0Q9 0 0 0V3"}) {
+        "M0 0A9 .001 0 0 0 9 0", "M0 0Q9 0 0 0V3", "M0 0Q-5-10 10 20L5 5",
+        "M0 0C10 20 0 0 10 20L5 5", "M0 0A9 9 0 0 0 1e-4 0L5 5z", "M0 0Q0-.009 0 0L5 5"}) {
     for (const RoundingSide side :
          {RoundingSide::kNearest, RoundingSide::kOutside, RoundingSide::kInside}) {
       const std::string text = svg("<path d='" + std::string(d) + "'/>");
