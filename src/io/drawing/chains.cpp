@@ -53,10 +53,7 @@ class Joiner {
   void join_equal() {
     std::vector<std::size_t> ends(partner_.size());
     for (std::size_t i = 0; i < ends.size(); ++i) ends[i] = i;
-    std::sort(ends.begin(), ends.end(),
-              outlines_.cancellation().counting([this](std::size_t a, std::size_t b) {
-                return comes_before(point(a), point(b)) || (point(a) == point(b) && a < b);
-              }));
+    sort_by_points(ends);
     for (std::size_t i = 0; i < ends.size();) {
       std::size_t k = i + 1;
       while (k < ends.size() && point(ends[k]) == point(ends[i])) ++k;
@@ -73,10 +70,7 @@ class Joiner {
     for (std::size_t i = 0; i < partner_.size(); ++i) {
       if (partner_[i] == kNone) ends.push_back(i);
     }
-    std::sort(ends.begin(), ends.end(),
-              outlines_.cancellation().counting([this](std::size_t a, std::size_t b) {
-                return comes_before(point(a), point(b));
-              }));
+    sort_by_points(ends);
     struct Pair {
       Rational square;
       std::size_t a, b;
@@ -123,6 +117,13 @@ class Joiner {
   }
 
  private:
+  void sort_by_points(std::vector<std::size_t>& ends) const {
+    std::sort(ends.begin(), ends.end(),
+              outlines_.cancellation().counting([this](std::size_t a, std::size_t b) {
+                return comes_before(point(a), point(b)) || (point(a) == point(b) && a < b);
+              }));
+  }
+
   void join(std::size_t a, std::size_t b) {
     partner_[a] = b;
     partner_[b] = a;

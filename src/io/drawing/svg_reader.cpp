@@ -37,14 +37,10 @@ struct Element {
   }
 };
 
-struct Size {
-  Rational wide, high;
-};
-
 struct State {
   NearAffine map;
   SvgStyle style;
-  std::optional<Size> viewport;  ///< the size of the coordinate system around, if that is known
+  std::optional<Point> viewport;  ///< the size of the coordinate system around, if it is known
 };
 
 class SvgReader {
@@ -105,6 +101,14 @@ class SvgReader {
          attribute->position);
   }
 
+  [[nodiscard]] Point point(const Element& e, std::string_view x, std::string_view y) const {
+    return {length(e, x), length(e, y)};
+  }
+  [[nodiscard]] NearAffine moved_to(const Element& e, const NearAffine& map) const {
+    const Point at = point(e, "x", "y");
+    return map.after({Affine::translation(at.x, at.y)});
+  }
+
   /// The whole picture points upwards: y becomes -y. If its width has a unit, that is the unit.
   NearAffine of_root(const Element& root) {
     unit_ = "px";
@@ -156,10 +160,10 @@ class SvgReader {
     return view;
   }
 
-  [[nodiscard]] std::optional<Size> viewport_of_root(const Element& root) const {
+  [[nodiscard]] std::optional<Point> viewport_of_root(const Element& root) const {
     if (const XmlAttribute* const box = root.find("viewBox")) {
       const std::vector<Rational> view = view_box(*box);
-      return Size{view[2], view[3]};
+      return Point{view[2], view[3]};
     }
     const auto side = [&](std::string_view name) -> std::optional<Rational> {
       const XmlAttribute* const attribute = root.find(name);
@@ -170,13 +174,13 @@ class SvgReader {
     };
     const std::optional<Rational> wide = side("width");
     const std::optional<Rational> high = side("height");
-    return wide && high ? std::optional(Size{*wide, *high}) : std::nullopt;
+    return wide && high ? std::optional(Point{*wide, *high}) : std::nullopt;
   }
 
   /// Returns a side of the frame of an inner `svg` or a `symbol`, which is that of the viewport
   /// around, unless something else is said by the element or by the `use` that draws it.
   [[nodiscard]] Rational side_of_frame(const Element& e, const Element* use, std::string_view name,
-                                       const std::optional<Rational>& around) const {
+                                       const Rational* around) const {
     Rational share(1);
     for (const Element* const said : {use, &e}) {
       const XmlAttribute* const attribute = said == nullptr ? nullptr : said->find(name);
@@ -187,7 +191,7 @@ class SvgReader {
       share = value / Rational(100);
       break;
     }
-    if (around) return share * *around;
+    if (around != nullptr) return share * *around;
     fail("the size of the frame is not known: it needs a width and a height, or the root does",
          position_of(e));
   }
@@ -195,20 +199,14 @@ class SvgReader {
   /// Places the content of an inner `svg` or a `symbol` into its frame. Returns false if there is
   /// nothing to draw.
   bool enter_frame(const Element& e, const Element* use, State& state) {
-    if (e.name == "svg") {
-      state.map = state.map.after({Affine::translation(length(e, "x"), length(e, "y"))});
-    }
+    if (e.name == "svg") state.map = moved_to(e, state.map);
     const XmlAttribute* const box = e.find("viewBox");
-    std::optional<Rational> wide_around, high_around;
-    if (state.viewport) {
-      wide_around = state.viewport->wide;
-      high_around = state.viewport->high;
-    } else if (box == nullptr) {
-      return true;  // the size is needed for the scale alone
-    }
-    const Rational wide = side_of_frame(e, use, "width", wide_around);
-    const Rational high = side_of_frame(e, use, "height", high_around);
-    state.viewport = Size{wide, high};
+    // The size is needed for the scale alone.
+    if (!state.viewport && box == nullptr) return true;
+    const Point* const around = state.viewport ? &*state.viewport : nullptr;
+    const Rational wide = side_of_frame(e, use, "width", around ? &around->x : nullptr);
+    const Rational high = side_of_frame(e, use, "height", around ? &around->y : nullptr);
+    state.viewport = Point{wide, high};
     if (wide.sign() == 0 || high.sign() == 0) return false;
     if (box == nullptr) return true;
     const std::vector<Rational> view = view_box(*box);
@@ -220,7 +218,7 @@ class SvgReader {
     const Rational left = (wide - factor * view[2]) / Rational(2) - factor * view[0];
     const Rational top = (high - factor * view[3]) / Rational(2) - factor * view[1];
     state.map = state.map.after({Affine{factor, {}, left, {}, factor, top}});
-    state.viewport = Size{view[2], view[3]};
+    state.viewport = Point{view[2], view[3]};
     return true;
   }
 
@@ -285,7 +283,7 @@ class SvgReader {
     if (found == ids_.end()) {
       fail("no element has the id '" + std::string(href->value.substr(1)) + "'", href->position);
     }
-    state.map = state.map.after({Affine::translation(length(e, "x"), length(e, "y"))});
+    state.map = moved_to(e, state.map);
     draw(found->second, state, depth, &e);
   }
 
@@ -313,13 +311,13 @@ class SvgReader {
       const Rational rx = round ? length(e, "r") : radius(e, "rx", "ry");
       const Rational ry = round ? rx : radius(e, "ry", "rx");
       if (rx.sign() < 0 || ry.sign() < 0) fail("a radius is negative", position_of(e));
-      const Point at{length(e, "cx"), length(e, "cy")};
+      const Point at = point(e, "cx", "cy");
       if (rx.sign() > 0 && ry.sign() > 0) {
         add_rounded_box({at.x - rx, at.y - ry}, {at.x + rx, at.y + ry}, rx, ry, outlines_);
       }
     } else if (e.name == "line") {
-      outlines_.move_to({length(e, "x1"), length(e, "y1")});
-      outlines_.line_to({length(e, "x2"), length(e, "y2")});
+      outlines_.move_to(point(e, "x1", "y1"));
+      outlines_.line_to(point(e, "x2", "y2"));
       outlines_.end_polyline();
     } else if (e.name == "polygon" || e.name == "polyline") {
       points(e, filled);
@@ -341,14 +339,13 @@ class SvgReader {
   }
 
   void box(const Element& e) {
-    const Rational wide = length(e, "width");
-    const Rational high = length(e, "height");
+    const auto [wide, high] = point(e, "width", "height");
     if (wide.sign() < 0 || high.sign() < 0) fail("a rectangle's size is negative", position_of(e));
     if (wide.sign() == 0 || high.sign() == 0) return;
     const Rational rx = std::min(radius(e, "rx", "ry"), wide / Rational(2));
     const Rational ry = std::min(radius(e, "ry", "rx"), high / Rational(2));
     if (rx.sign() < 0 || ry.sign() < 0) fail("a radius is negative", position_of(e));
-    const Point low{length(e, "x"), length(e, "y")};
+    const Point low = point(e, "x", "y");
     add_rounded_box(low, {low.x + wide, low.y + high}, rx, ry, outlines_);
   }
 

@@ -129,18 +129,15 @@ void SvgStyles::add(std::string_view sheet, Ignored& ignored) {
       const char sign = at < selector.size() ? selector[at] : ' ';
       if (tag == "*") tag = {};
       if (is_word(tag) && is_word(kind)) {
-        rules_.push_back({std::string(tag), std::string(kind), sign, body});
+        const std::size_t weight = (sign == '#'   ? 4U
+                                    : sign == '.' ? 2U
+                                                  : 0U) +
+                                   (tag.empty() ? 0U : 1U);
+        rules_[weight].push_back({std::string(tag), std::string(kind), sign, body});
       } else {
         ++ignored["rule of a style sheet"];
       }
     });
-  });
-  // More special rules come later, because later ones win.
-  std::stable_sort(rules_.begin(), rules_.end(), [](const Rule& a, const Rule& b) {
-    const auto rank = [](const Rule& r) {
-      return (r.sign == '#' ? 4 : r.sign == '.' ? 2 : 0) + (r.tag.empty() ? 0 : 1);
-    };
-    return rank(a) < rank(b);
   });
 }
 
@@ -154,13 +151,16 @@ SvgStyle SvgStyles::style_of(SvgStyle style, std::string_view name,
     set(style, attribute.name, trimmed(attribute.value), ignored);
   }
   for (const bool important : {false, true}) {
-    for (const Rule& rule : rules_) {
-      if (!rule.tag.empty() && rule.tag != name) continue;
-      bool meant = rule.sign == ' ' || (rule.sign == '#' && rule.kind == id);
-      if (rule.sign == '.') {
-        for_each_word(classes, [&](std::string_view word) { meant = meant || word == rule.kind; });
+    for (const std::vector<Rule>& rules : rules_) {
+      for (const Rule& rule : rules) {
+        if (!rule.tag.empty() && rule.tag != name) continue;
+        bool meant = rule.sign == ' ' || (rule.sign == '#' && rule.kind == id);
+        if (rule.sign == '.') {
+          for_each_word(classes,
+                        [&](std::string_view word) { meant = meant || word == rule.kind; });
+        }
+        if (meant) set_all(style, rule.text, important, ignored);
       }
-      if (meant) set_all(style, rule.text, important, ignored);
     }
     set_all(style, own, important, ignored);
   }

@@ -1,6 +1,7 @@
 // Declares what the appearance of SVG's elements says about their shapes.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,7 +37,7 @@ class SvgStyles {
     char sign;         ///< '.', '#', or ' '
     std::string text;
   };
-  std::vector<Rule> rules_;
+  std::array<std::vector<Rule>, 6> rules_;  ///< by weight: the later ones win
 };
 
 }  // namespace minksum::io
