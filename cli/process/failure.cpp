@@ -190,7 +190,10 @@ std::optional<std::string> note_of_skipped(const io::SourceInfo& source) {
 
 io::Document read_operand(const std::string& file, const io::ReadOptions& limits, FillRule fill) {
   io::Document operand = read_operand(file, limits);
-  if (const auto reading = reading_of_faults(operand.geometry.region, fill)) {
+  // Shapes of a drawing, which has a unit, may overlap: it shows their union.
+  const bool drawing = !operand.source.unit.empty() && fill == FillRule::kAutomatic;
+  if (const auto reading =
+          drawing ? std::nullopt : reading_of_faults(operand.geometry.region, fill)) {
     note(shown_name(file) + ": " + *reading);
   }
   return operand;

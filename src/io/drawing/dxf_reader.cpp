@@ -47,6 +47,7 @@ class DxfReader {
     for (;;) {
       const DxfTag tag = tags_.next();
       if (tag.code == 0 && tag.value == "EOF") break;
+      if (tag.code == 0 && tag.value == "ENDSEC") continue;  // some programs write one too many
       if (tag.code != 0 || tag.value != "SECTION") {
         tags_.fail("expected a section, or the end of the drawing (EOF)", tag.position);
       }

@@ -46,6 +46,7 @@ bool DxfShapes::add(const DxfEntity& entity, const NearAffine& map) {
   const int flags = type == "POLYLINE" ? values.integer(70) : 0;
   if ((flags & kMeshes) != 0) return false;
   if (!own_plane && type != "LINE" && type != "ELLIPSE") return false;
+  if ((type == "ARC" || type == "CIRCLE") && values.number(40).sign() == 0) return false;
   check_flat(entity);
   outlines_.forget_errors();
   const bool flat = own_plane && (flags & kThreeDimensional) == 0;

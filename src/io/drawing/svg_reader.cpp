@@ -96,6 +96,11 @@ class SvgReader {
     if (attribute == nullptr) return missing;
     const auto [value, unit] = take_length(cursor_on(document_, *attribute));
     if (unit.empty() || unit == "px") return value;
+    const bool across = name.find('x') != std::string_view::npos || name == "width";
+    const bool down = name.find('y') != std::string_view::npos || name == "height";
+    if (unit == "%" && viewport_ && (across || down)) {
+      return value / Rational(100) * (across ? viewport_->x : viewport_->y);
+    }
     if (const auto size = millimetres(unit)) return value * *size * Rational(480, 127);
     fail("the unit '" + std::string(unit) + "' depends on what is around the element: use px or mm",
          attribute->position);
@@ -121,35 +126,30 @@ class SvgReader {
     const auto physical = size ? millimetres(size->unit) : std::nullopt;
     if (!physical) return flipped;
     unit_ = size->unit;
-    Rational factor = Rational(127, 480) / *physical;  // of px
+    Rational x = Rational(127, 480) / *physical;  // of px
+    Rational y = x;
     if (box != nullptr) {
       const std::vector<Rational> view = view_box(*box);
       if (size->value.sign() <= 0) fail("the width must be positive", width->position);
-      factor = size->value / view[2];
+      x = y = size->value / view[2];
       if (const XmlAttribute* const height = root.find("height")) {
         const Length high = take_length(cursor_on(document_, *height));
-        const auto other = millimetres(high.unit);
-        if (!other || high.value * *other * view[2] != size->value * *physical * view[3]) {
-          near_ratio(*height, high, other, size->value * *physical, view);
+        if (const auto millimetre = millimetres(high.unit)) {
+          y = high.value * *millimetre / *physical / view[3];
+          if (y.sign() <= 0) fail("the height must be positive", height->position);
+          fit(root, x, y);
         }
       }
     }
-    return NearAffine{Affine::scaling(factor)}.after(flipped);
+    return NearAffine{Affine{x, {}, {}, {}, y, {}}}.after(flipped);
   }
 
-  /// Programs write widths and heights in a few digits. Then both factors differ a little, and SVG
-  /// takes the smaller one; a larger difference is an error, as it would be another drawing.
-  void near_ratio(const XmlAttribute& height, const Length& high,
-                  const std::optional<Rational>& millimetre, const Rational& width,
-                  const std::vector<Rational>& view) {
-    if (millimetre) {
-      const Rational by_width = width * view[3];
-      const Rational by_height = high.value * *millimetre * view[2];
-      const Rational off = by_width - by_height;
-      if (off * Rational(1000) < by_width && -off * Rational(1000) < by_width) return;
-    }
-    fail("width and height have another ratio than the viewBox, so the scale is not known",
-         height.position);
+  /// Makes both scales equal, unless the element says otherwise.
+  static void fit(const Element& e, Rational& x, Rational& y) {
+    const XmlAttribute* const how = e.find("preserveAspectRatio");
+    const std::string_view said = how == nullptr ? "" : how->value;
+    if (said.find("none") != std::string_view::npos) return;
+    x = y = said.find("slice") != std::string_view::npos ? std::max(x, y) : std::min(x, y);
   }
 
   [[nodiscard]] std::vector<Rational> view_box(const XmlAttribute& attribute) const {
@@ -210,14 +210,17 @@ class SvgReader {
     if (wide.sign() == 0 || high.sign() == 0) return false;
     if (box == nullptr) return true;
     const std::vector<Rational> view = view_box(*box);
-    const Rational x = wide / view[2];
-    const Rational y = high / view[3];
-    const Rational factor = std::min(x, y);
-    if (x != y && e.find("preserveAspectRatio") != nullptr) ++ignored_["preserveAspectRatio"];
+    Rational x = wide / view[2];
+    Rational y = high / view[3];
+    fit(e, x, y);
     // By default the content is in the middle of its frame.
-    const Rational left = (wide - factor * view[2]) / Rational(2) - factor * view[0];
-    const Rational top = (high - factor * view[3]) / Rational(2) - factor * view[1];
-    state.map = state.map.after({Affine{factor, {}, left, {}, factor, top}});
+    const XmlAttribute* const place = e.find("preserveAspectRatio");
+    if (x == y && place != nullptr && place->value.find("xMidYMid") == std::string_view::npos) {
+      ++ignored_["preserveAspectRatio"];
+    }
+    const Rational left = (wide - x * view[2]) / Rational(2) - x * view[0];
+    const Rational top = (high - y * view[3]) / Rational(2) - y * view[1];
+    state.map = state.map.after({Affine{x, {}, left, {}, y, top}});
     state.viewport = Point{view[2], view[3]};
     return true;
   }
@@ -233,7 +236,7 @@ class SvgReader {
   /// Draws an element, as `used` by another one or in its place. Returns false if it is nothing
   /// that is drawn, or if its own conditions do not let it be.
   bool draw(std::size_t index, State state, int depth, const Element* use_of = nullptr) {
-    constexpr std::size_t kMostUsed = 1'000'000;  // symbols in symbols multiply
+    constexpr std::size_t kMostUsed = 100'000;  // symbols in symbols multiply
     cancellation_.check(256);
     const Element e = element(index);
     const bool used_symbol = use_of != nullptr && e.name == "symbol";
@@ -245,11 +248,11 @@ class SvgReader {
     }
     if (depth > 0 && ++used_ > kMostUsed) {
       document_.cursor().fail(ErrorCode::kLimitExceeded,
-                              "'use' draws more elements than the limit of 1000000",
-                              position_of(e));
+                              "'use' draws more elements than the limit of 100000", position_of(e));
     }
     state.style = styles_.style_of(state.style, e.name, e.attributes, ignored_);
     if (state.style.removed) return true;
+    viewport_ = state.viewport;
     if (const XmlAttribute* const transform = e.find("transform")) {
       state.map = state.map.after(take_transform(cursor_on(document_, *transform)));
     }
@@ -272,16 +275,17 @@ class SvgReader {
                                   std::to_string(limits_.max_depth),
                               position_of(e));
     }
-    const XmlAttribute* href = e.find("href");
-    if (href == nullptr) href = e.find("xlink:href");
-    if (href == nullptr) return;
-    if (!href->value.starts_with('#')) {
-      fail("only elements of the same document are drawn by 'use'", href->position);
-    }
+    const auto is_link = [](const XmlAttribute& a) {  // of XLink, by whatever name, or of SVG 2
+      return a.name == "href" || a.name.ends_with(":href");
+    };
+    const auto href = std::find_if(e.attributes.begin(), e.attributes.end(), is_link);
+    if (href == e.attributes.end()) return;
     if (ids_.empty()) find_ids();
-    const auto found = ids_.find(href->value.substr(1));
+    const bool here = href->value.starts_with('#');
+    const auto found = here ? ids_.find(href->value.substr(1)) : ids_.end();
     if (found == ids_.end()) {
-      fail("no element has the id '" + std::string(href->value.substr(1)) + "'", href->position);
+      ++ignored_[here ? "use of an element that there is not" : "use of another document"];
+      return;
     }
     state.map = moved_to(e, state.map);
     draw(found->second, state, depth, &e);
@@ -383,7 +387,8 @@ class SvgReader {
   Ignored ignored_;
   std::string unit_;
   std::map<std::string_view, std::size_t> ids_;
-  std::size_t used_ = 0;  ///< elements drawn by `use`
+  std::size_t used_ = 0;           ///< elements drawn by `use`
+  std::optional<Point> viewport_;  ///< of which lengths in per cent are parts
 };
 
 }  // namespace

@@ -78,6 +78,17 @@ void set_all(SvgStyle& style, std::string_view declarations, bool important, Ign
   });
 }
 
+std::string without_comments(std::string_view text) {
+  std::string kept;
+  while (!text.empty()) {
+    const std::size_t comment = std::min(text.find("/*"), text.size());
+    kept += text.substr(0, comment);
+    const std::size_t end = text.find("*/", comment);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 2);
+  }
+  return kept;
+}
+
 /// Returns a style sheet without the rules that begin with '@', and without what these hold.
 std::string without_conditional_rules(std::string_view sheet, Ignored& ignored) {
   std::string kept;
@@ -107,13 +118,7 @@ bool is_word(std::string_view text) {
 }  // namespace
 
 void SvgStyles::add(std::string_view sheet, Ignored& ignored) {
-  std::string text;
-  while (!sheet.empty()) {  // without comments, and without the marks of a CDATA section
-    const std::size_t comment = std::min(sheet.find("/*"), sheet.size());
-    text += sheet.substr(0, comment);
-    const std::size_t end = sheet.find("*/", comment);
-    sheet.remove_prefix(end == std::string_view::npos ? sheet.size() : end + 2);
-  }
+  std::string text = without_comments(sheet);  // and without the marks of a CDATA section
   for (const std::string_view mark : {"<![CDATA[", "]]>", "<!--", "-->"}) {
     if (const std::size_t at = text.find(mark); at != std::string::npos)
       text.erase(at, mark.size());
@@ -143,11 +148,17 @@ void SvgStyles::add(std::string_view sheet, Ignored& ignored) {
 
 SvgStyle SvgStyles::style_of(SvgStyle style, std::string_view name,
                              const std::vector<XmlAttribute>& attributes, Ignored& ignored) const {
-  std::string_view id, classes, own;
+  std::string_view id, classes;
+  std::string own;
   for (const XmlAttribute& attribute : attributes) {
     if (attribute.name == "id") id = attribute.value;
     if (attribute.name == "class") classes = attribute.value;
-    if (attribute.name == "style") own = attribute.value;
+    if (attribute.name == "style") own = without_comments(attribute.value);
+    for (const char* const read : {"style", "class", "fill", "fill-rule", "display"}) {
+      if (attribute.name == read && attribute.value.find('&') != std::string_view::npos) {
+        ++ignored["reference in an attribute"];
+      }
+    }
     set(style, attribute.name, trimmed(attribute.value), ignored);
   }
   for (const bool important : {false, true}) {

@@ -83,6 +83,7 @@ TEST(Dxf, StraightShapesAreExact) {
       {"0 SPLINE 71 1 40 0 40 0 40 1 40 1 40 2 40 2 10 0 20 0 10 4 20 0 10 4 20 0 10 4 20 4",
        "LINESTRING (0 0, 4 0, 4 4)"},
       {line("0,0", "9,9", " 67 1") + " " + line("0,0", "9,9", " 60 1") + " " + kBox, kBoxWkt},
+      {kBox + " 0 CIRCLE 10 0 20 0 40 0 0 ENDSEC", kBoxWkt},
       {"999 a_comment " + kBox + " 0 TEXT 1 LINE 10 0 20 0", kBoxWkt},
   };
   for (const auto& [entities, wkt] : cases) EXPECT_EQ(read_exactly(dxf(entities)), wkt) << entities;
@@ -220,7 +221,7 @@ TEST(Dxf, FaultsHaveAPlace) {
       {dxf("0 LINE 10 1 20 a 11 1 21 1"), "10:1: expected a number, found 'a'"},
       {dxf("0 LINE 10 1 20 1,5 11 1 21 1"), "10:2: expected the end of the number, found ','"},
       {dxf("0 LINE 10 1 20 1 11 1"), "6:1: LINE has no value of code 21"},
-      {dxf("0 CIRCLE 10 0 20 0 40 0"), "6:1: a radius must be positive"},
+      {dxf("0 CIRCLE 10 0 20 0 40 -1"), "6:1: a radius must be positive"},
       {dxf("0 CIRCLE 10 0 20 0 40 1"),
        "6:1: a curve becomes a polyline, and has to say how far that may be off "
        "(io::DrawingOptions::tolerance)"},

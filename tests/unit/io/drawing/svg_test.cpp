@@ -123,6 +123,14 @@ TEST(Svg, FramesScaleWhatTheyHold) {
        "</svg></defs><use href='#s' width='10' height='5'/>",
        "", kFour},
       {"<svg width='0'><rect width='4' height='4'/></svg>", kPage, "POLYGON EMPTY"},
+      {"<rect width='10%' height='20%'/>", kPage, kFour},
+      {"<svg viewBox='0 0 10 5' width='8' height='8' preserveAspectRatio='none'><rect width='5' "
+       "height='2.5'/></svg>",
+       kPage, kFour},
+      {"<rect width='4' height='4'/>", " width='40mm' height='30mm' viewBox='0 0 40 20'", kFour},
+      {"<rect width='8' height='8'/>", " width='40mm' height='10mm' viewBox='0 0 40 20'", kFour},
+      {"<rect width='4' height='2'/>",
+       " width='40mm' height='40mm' viewBox='0 0 40 20' preserveAspectRatio='none'", kFour},
       {"<svg><rect width='4' height='4'/></svg>", "", kFour},
       {"<svg viewBox='0 0 1 1'><rect width='4' height='4'/></svg>", "",
        "1:42: the size of the frame is not known: it needs a width and a height, or the root does"},
@@ -142,6 +150,8 @@ TEST(Svg, StylesSayWhatIsDrawn) {
         "<style media='print'>rect{display:none}</style>" + square,
         "<style>#i{display:inline!important} rect{display:none!important}</style>" + square,
         std::string("<rect display='none' style='display:inline' width='1' height='1'/>"),
+        "<style>rect{/*}*/}</style><g style='/*x*/display:inline'>" + square + "</g>",
+        "<g id='g'>" + square + "</g><use ns1:href='#g'/><use href='#no'/><use href='b.svg#g'/>",
         "<switch><path systemLanguage='xx' d='M5 5h9v9'/>" + square +
             "<path d='M5 5h9v9'/></switch>"}) {
     EXPECT_EQ(read_exactly(svg(shown)), kSquare) << shown;
@@ -165,8 +175,7 @@ TEST(Svg, WhatUseDrawsIsLimited) {
     for (int k = 0; k < 10; ++k) group += "<use href='#g" + std::to_string(i - 1) + "'/>";
     content += group + "</g>";
   }
-  EXPECT_EQ(read_exactly(svg(content)),
-            "1:42: 'use' draws more elements than the limit of 1000000");
+  EXPECT_EQ(read_exactly(svg(content)), "3:81: 'use' draws more elements than the limit of 100000");
 }
 
 TEST(Svg, TheWidthNamesTheUnit) {
@@ -314,14 +323,10 @@ TEST(Svg, FaultsHaveAPlace) {
       {svg("<rect width='1em' height='1'/>"),
        "1:54: the unit 'em' depends on what is around the element: use px or mm"},
       {svg("<circle r='-1'/>"), "1:42: a radius is negative"},
-      {svg("<use href='#a'/>"), "1:52: no element has the id 'a'"},
-      {svg("<use href='b.svg#a'/>"), "1:52: only elements of the same document are drawn by 'use'"},
       {svg("<g id='a'><use href='#a'/></g>"),
        "1:52: elements refer to each other deeper than the limit of 32"},
       {svg("<g transform='turn(3)'/>"),
        "1:55: expected matrix, translate, scale, rotate, skewX or skewY with its numbers"},
-      {svg("", " width='1mm' height='1mm' viewBox='0 0 1 2'"),
-       "1:61: width and height have another ratio than the viewBox, so the scale is not known"},
       {svg("", " width='1mm' viewBox='0 0 1'"),
        "1:62: a viewBox has four numbers, the last two of which are positive"},
   };
