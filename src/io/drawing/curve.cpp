@@ -1,5 +1,6 @@
 #include "io/drawing/curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace minksum::io {
@@ -59,10 +60,17 @@ Curve with_ends(const Point& from, const Point& to, std::vector<Bezier<Interval>
 /// Returns the parts of a spline, relative to the point in which `forwards` begins.
 class SplineParts {
  public:
-  SplineParts(std::size_t degree, std::span<const Rational> knots) : degree_(degree) {
-    for (const Rational& knot : knots) knots_.push_back(Interval::of(knot - knots[degree]));
-    for (std::size_t i = degree; i + degree + 1 < knots.size(); ++i) {
-      if (knots[i] < knots[i + 1]) spans_.push_back(i);
+  SplineParts(std::size_t degree, std::span<const Point> controls, std::span<const Rational> knots)
+      : degree_(degree) {
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+      knots_.push_back(Interval::of(knots[i] - knots[degree]));
+      first_.push_back(i > 0 && knots[i] == knots[i - 1] ? first_.back() : i);
+    }
+    for (std::size_t i = degree; i < controls.size(); ++i) {
+      const auto own = controls.subspan(i - degree, degree + 1);
+      const bool is_point = std::all_of(own.begin(), own.end(),
+                                        [&own](const Point& control) { return control == own[0]; });
+      if (knots[i] < knots[i + 1] && !is_point) spans_.push_back(i);
     }
   }
   [[nodiscard]] std::vector<Bezier<Interval>> of(
@@ -89,10 +97,10 @@ class SplineParts {
       for (std::size_t j = p; j >= r; --j) {
         const std::size_t low = j + span - p;
         const std::size_t high = j + 1 + span - r;
-        // Equal knots by number give exactly 0 or 1, which keeps ends of splines exact.
-        if (low == at) {
+        // Equal knots give exactly 0 or 1, which keeps ends of splines exact.
+        if (first_[low] == first_[at]) {
           d[j] = d[j - 1];
-        } else if (high != at) {
+        } else if (first_[high] != first_[at]) {
           const Interval whole = knots_[high] - knots_[low];
           const Interval f = (knots_[at] - knots_[low]) / whole;
           const Interval g = (knots_[high] - knots_[at]) / whole;
@@ -106,6 +114,7 @@ class SplineParts {
 
   std::size_t degree_;
   std::vector<Interval> knots_;
+  std::vector<std::size_t> first_;  ///< for each knot, the index of the first one that is equal
   std::vector<std::size_t> spans_;  ///< indices of knots at which a part begins
 };
 
@@ -146,7 +155,7 @@ std::vector<Bezier<Interval>> spline_parts(const Point& origin, std::size_t degr
     const Interval weight = weights[i] == Rational(1) ? Interval(1) : Interval::of(weights[i]);
     seen.push_back({weight * at.x, weight * at.y, weight});
   }
-  return SplineParts(degree, knots).of(seen);
+  return SplineParts(degree, controls, knots).of(seen);
 }
 
 Curve spline_curve(const Point& from, const Point& to, std::size_t degree,

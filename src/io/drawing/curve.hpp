@@ -40,13 +40,13 @@ inline Span operator*(const Interval& f, const Span& a) { return {f * a.x, f * a
 
 /// Returns a B-spline of a degree up to 11. There are controls.size() + degree + 1 knots, which do
 /// not decrease, and a positive weight for each control point. Parameters are those from
-/// knots[degree] to knots[controls.size()], between which there is one knot at least that differs.
+/// knots[degree] to knots[controls.size()]. There must be a part that is more than a point.
 /// The ends are moved to `from` and `to`.
 [[nodiscard]] Curve spline_curve(const Point& from, const Point& to, std::size_t degree,
                                  std::span<const Point> controls, std::span<const Rational> knots,
                                  std::span<const Rational> weights);
 
-/// Returns the parts of such a spline, relative to a point.
+/// Returns the parts of such a spline, relative to a point, without those that are points.
 [[nodiscard]] std::vector<Bezier<Interval>> spline_parts(const Point& origin, std::size_t degree,
                                                          std::span<const Point> controls,
                                                          std::span<const Rational> knots,

@@ -45,9 +45,10 @@ class DxfReader {
 
   void read(GeometryBuilder& builder) {
     for (;;) {
+      while (tags_.peek().code == 9) header();  // some programs write an ENDSEC too many there
       const DxfTag tag = tags_.next();
       if (tag.code == 0 && tag.value == "EOF") break;
-      if (tag.code == 0 && tag.value == "ENDSEC") continue;  // some programs write one too many
+      if (tag.code == 0 && tag.value == "ENDSEC") continue;
       if (tag.code != 0 || tag.value != "SECTION") {
         tags_.fail("expected a section, or the end of the drawing (EOF)", tag.position);
       }

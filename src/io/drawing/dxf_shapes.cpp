@@ -310,11 +310,14 @@ DxfShapes::Spline DxfShapes::take_spline(const DxfValues& values, const DxfEntit
 void DxfShapes::spline(const DxfValues& values, const DxfEntity& entity, const NearAffine& map) {
   const auto [p, controls, knots, weights] = take_spline(values, entity);
   const std::size_t n = controls.size();
-  if (p == 1) {
+  const Point& first = controls.front();
+  const bool is_point = std::all_of(controls.begin(), controls.end(),
+                                    [&](const Point& control) { return control == first; });
+  if (p == 1 || is_point) {
     outlines_.set_map(map);
-    outlines_.move_to(controls[0]);
-    for (std::size_t i = 1; i < n; ++i) outlines_.line_to(controls[i]);
-    return end(controls.front() == controls.back());
+    outlines_.move_to(first);
+    for (std::size_t i = 1; i < n && !is_point; ++i) outlines_.line_to(controls[i]);
+    return end(first == controls.back());
   }
   outlines_.set_map(map);
   outlines_.forget_errors();

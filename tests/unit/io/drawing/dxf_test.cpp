@@ -199,9 +199,15 @@ TEST(Dxf, SplinesMayHaveKinks) {
       "41 8.25 41 .2 10 .8 20 1.6 10 92 20 -442 10 -227 20 223 10 -11 20 425 10 -285 20 145 10 "
       "-453 "
       "20 276");
+  // Points that come four times are corners, with parts that are points, too.
+  const std::string corners = dxf(
+      "0 SPLINE 71 3 40 0 40 0 40 0 40 0 40 1 40 2 40 3 40 4 40 5 40 6 40 7 40 7 40 7 40 7 10 0 20 "
+      "0 "
+      "10 0 20 0 10 4 20 0 10 4 20 0 10 4 20 0 10 4 20 0 10 3 20 3 10 3 20 3 10 3 20 3 10 0 20 0");
   for (const Rational& tolerance : {Rational(10), Rational(1), Rational(1, 100)}) {
     for (const RoundingSide side : {RoundingSide::kNearest, RoundingSide::kOutside}) {
       EXPECT_NO_THROW(static_cast<void>(read_geometry(text, within(tolerance, side))));
+      EXPECT_NO_THROW(static_cast<void>(read_geometry(corners, within(tolerance, side))));
     }
   }
 }
@@ -242,6 +248,8 @@ TEST(Dxf, FaultsHaveAPlace) {
        "8:1: expected a section, or the end of the drawing (EOF)"},
   };
   for (const auto& [text, message] : cases) EXPECT_EQ(read_exactly(text), message) << text;
+  EXPECT_EQ(read_exactly(tags("0 SECTION 2 HEADER 9 $A 1 B 0 ENDSEC 9 $C 70 2 0 ENDSEC 0 EOF")),
+            "POLYGON EMPTY");
   const std::string binary = "AutoCAD Binary DXF\r\n\x1A";
   EXPECT_NE(read_exactly(binary).find("a binary DXF drawing, which is not read"),
             std::string::npos);

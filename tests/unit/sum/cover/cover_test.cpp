@@ -249,9 +249,7 @@ TEST(Cover, UncoveredRowsTellCoveredBoxes) {
   constexpr std::int32_t kColumns = 150;
   constexpr std::int32_t kRows = 41;
   Random random(6);
-  const auto below = [&](std::int32_t end) {
-    return static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(end)));
-  };
+  const auto below = [&](std::int32_t end) { return std::int32_t{random.below(end)}; };
   Cover cover;
   cover.active = true;
   cover.grid.columns = kColumns;
