@@ -94,7 +94,7 @@ class SvgReader {
                                 const Rational& missing = {}) const {
     const XmlAttribute* const attribute = e.find(name);
     if (attribute == nullptr) return missing;
-    const auto [value, unit] = take_length(cursor_on(document_, *attribute));
+    const auto [value, unit] = take_length(document_.cursor_on(*attribute));
     if (unit.empty() || unit == "px") return value;
     const bool across = name.find('x') != std::string_view::npos || name == "width";
     const bool down = name.find('y') != std::string_view::npos || name == "height";
@@ -121,8 +121,7 @@ class SvgReader {
     const XmlAttribute* const width = root.find("width");
     const XmlAttribute* const box = root.find("viewBox");
     std::optional<Length> size;
-    if (width != nullptr && width->value != "auto")
-      size = take_length(cursor_on(document_, *width));
+    if (width != nullptr && width->value != "auto") size = take_length(document_.cursor_on(*width));
     const auto physical = size ? millimetres(size->unit) : std::nullopt;
     if (!physical) return flipped;
     unit_ = size->unit;
@@ -133,7 +132,7 @@ class SvgReader {
       if (size->value.sign() <= 0) fail("the width must be positive", width->position);
       x = y = size->value / view[2];
       if (const XmlAttribute* const height = root.find("height")) {
-        const Length high = take_length(cursor_on(document_, *height));
+        const Length high = take_length(document_.cursor_on(*height));
         if (const auto millimetre = millimetres(high.unit)) {
           y = high.value * *millimetre / *physical / view[3];
           if (y.sign() <= 0) fail("the height must be positive", height->position);
@@ -153,7 +152,7 @@ class SvgReader {
   }
 
   [[nodiscard]] std::vector<Rational> view_box(const XmlAttribute& attribute) const {
-    std::vector<Rational> view = take_numbers(cursor_on(document_, attribute));
+    std::vector<Rational> view = take_numbers(document_.cursor_on(attribute));
     if (view.size() != 4 || view[2].sign() <= 0 || view[3].sign() <= 0) {
       fail("a viewBox has four numbers, the last two of which are positive", attribute.position);
     }
@@ -185,7 +184,7 @@ class SvgReader {
     for (const Element* const said : {use, &e}) {
       const XmlAttribute* const attribute = said == nullptr ? nullptr : said->find(name);
       if (attribute == nullptr || attribute->value == "auto") continue;
-      const auto [value, unit] = take_length(cursor_on(document_, *attribute));
+      const auto [value, unit] = take_length(document_.cursor_on(*attribute));
       if (value.sign() < 0) fail("the size of a frame is negative", attribute->position);
       if (unit != "%") return length(*said, name);
       share = value / Rational(100);
@@ -254,7 +253,7 @@ class SvgReader {
     if (state.style.removed) return true;
     viewport_ = state.viewport;
     if (const XmlAttribute* const transform = e.find("transform")) {
-      state.map = state.map.after(take_transform(cursor_on(document_, *transform)));
+      state.map = state.map.after(take_transform(document_.cursor_on(*transform)));
     }
     if (e.name == "svg" || used_symbol) {
       if (enter_frame(e, use_of, state)) children(index, state, depth);
@@ -306,7 +305,7 @@ class SvgReader {
     const bool filled = state.style.filled;
     if (e.name == "path") {
       if (const XmlAttribute* const d = e.find("d")) {
-        take_path(cursor_on(document_, *d), filled, outlines_);
+        take_path(document_.cursor_on(*d), filled, outlines_);
       }
     } else if (e.name == "rect") {
       box(e);
@@ -356,7 +355,7 @@ class SvgReader {
   void points(const Element& e, bool filled) {
     const XmlAttribute* const attribute = e.find("points");
     if (attribute == nullptr) return;
-    const std::vector<Rational> numbers = take_numbers(cursor_on(document_, *attribute));
+    const std::vector<Rational> numbers = take_numbers(document_.cursor_on(*attribute));
     if (numbers.size() % 2 != 0) fail("an odd number of coordinates", attribute->position);
     const std::size_t count = numbers.size() / 2;
     for (std::size_t i = 0; i < count; ++i) {

@@ -154,11 +154,6 @@ SvgStyle SvgStyles::style_of(SvgStyle style, std::string_view name,
     if (attribute.name == "id") id = attribute.value;
     if (attribute.name == "class") classes = attribute.value;
     if (attribute.name == "style") own = without_comments(attribute.value);
-    for (const char* const read : {"style", "class", "fill", "fill-rule", "display"}) {
-      if (attribute.name == read && attribute.value.find('&') != std::string_view::npos) {
-        ++ignored["reference in an attribute"];
-      }
-    }
     set(style, attribute.name, trimmed(attribute.value), ignored);
   }
   for (const bool important : {false, true}) {

@@ -8,13 +8,6 @@
 
 namespace minksum::io {
 
-TextCursor cursor_on(const XmlDocument& document, const XmlAttribute& attribute) {
-  TextCursor cursor(
-      document.cursor().text().substr(0, attribute.position + attribute.value.size()));
-  cursor.move_to(attribute.position);
-  return cursor;
-}
-
 void skip_comma(TextCursor& cursor) {
   cursor.skip_space();
   if (cursor.accept(',')) cursor.skip_space();

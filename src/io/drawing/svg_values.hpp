@@ -17,9 +17,6 @@ struct Length {
   std::string_view unit;
 };
 
-/// Returns a cursor on the value of an attribute, behind which the text ends.
-[[nodiscard]] TextCursor cursor_on(const XmlDocument& document, const XmlAttribute& attribute);
-
 /// Passes over white space and one comma.
 void skip_comma(TextCursor& cursor);
 /// Reads one number.

@@ -168,7 +168,23 @@ std::vector<XmlAttribute> XmlDocument::attributes(std::size_t element) const {
   take_name(cursor, "");
   std::vector<XmlAttribute> found;
   take_attributes(cursor, &found);
+  for (XmlAttribute& attribute : found) {
+    if (attribute.value.find('&') == std::string_view::npos) continue;
+    if (!references_) references_.emplace(cursor_.text().substr(0, elements_[0].position));
+    attribute.value = references_->expanded(attribute.value);
+  }
   return found;
+}
+
+TextCursor XmlDocument::cursor_on(const XmlAttribute& attribute) const {
+  const std::string_view text = cursor_.text();
+  const auto& [name, position, value] = attribute;
+  const bool replaced = value.data() != text.data() + position;
+  if (replaced) replaced_ = std::string(text.substr(0, position)).append(value);
+  TextCursor cursor(replaced ? std::string_view(replaced_)
+                             : text.substr(0, position + value.size()));
+  cursor.move_to(position);
+  return cursor;
 }
 
 std::string_view XmlDocument::content(std::size_t element) const {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/drawing/xml_references.hpp"
 #include "io/text_cursor.hpp"
 #include "machine/cancellation.hpp"
 
@@ -16,7 +17,7 @@ namespace minksum::io {
 /// document type may hold declarations of its own in brackets, and these may hold quotes.
 [[nodiscard]] std::size_t length_of_declaration(std::string_view text);
 
-/// An attribute as it is written.
+/// An attribute. References in its value are replaced.
 struct XmlAttribute {
   std::string_view name;  ///< with its prefix
   std::size_t position;   ///< of the value in the text
@@ -42,6 +43,9 @@ class XmlDocument {
   /// Returns the name without its prefix.
   [[nodiscard]] std::string_view name(std::size_t element) const;
   [[nodiscard]] std::vector<XmlAttribute> attributes(std::size_t element) const;
+  /// Returns a cursor on a value, which fails with its place in the text. Where references were
+  /// replaced, it is valid until the next call.
+  [[nodiscard]] TextCursor cursor_on(const XmlAttribute& attribute) const;
   /// Returns the text between the tags of an element, as it is written.
   [[nodiscard]] std::string_view content(std::size_t element) const;
 
@@ -54,6 +58,8 @@ class XmlDocument {
 
   TextCursor cursor_;
   std::vector<XmlElement> elements_;
+  mutable std::optional<XmlReferences> references_;
+  mutable std::string replaced_;  ///< the text with a value whose references are replaced
 };
 
 }  // namespace minksum::io

@@ -167,6 +167,23 @@ TEST(Svg, StylesSayWhatIsDrawn) {
             "POLYGON ((0 -4, 4 -4, 4 0, 0 0, 0 -4), (1 -3, 1 -1, 3 -1, 3 -3, 1 -3))");
 }
 
+TEST(Svg, ReferencesAreReplaced) {
+  const std::string type =
+      "<!DOCTYPE svg [<!ENTITY hide \"display:none\"><!ENTITY one '1'> <!ENTITY % p 'x'>"
+      "<!ENTITY size 'width=&one;'><!ENTITY loop '&loop;&loop;'>]>";
+  const auto read = [&type](const std::string& content) {
+    return read_exactly(type + svg(content));
+  };
+  const std::string square = "<rect width='&one;' height='&#49;&#x2e;0'/>";
+  EXPECT_EQ(read(square), kSquare);
+  EXPECT_EQ(read("<rect style='&hide;' width='1' height='1'/>"), "POLYGON EMPTY");
+  EXPECT_EQ(read("<g id='a&amp;b&#xe9;'>" + square + "</g><use href='#a&amp;b&#xe9;'/>"), kSquare);
+  EXPECT_EQ(read("<polygon points='0 0&#x9;1 0&#10;1 1 0 1'/>"), kSquare);
+  EXPECT_EQ(read("<rect width='1' height='&none;'/>").substr(2),
+            "203: expected a number, found '&'");
+  EXPECT_EQ(read("<rect width='&loop;' height='1'/>").find("POLYGON"), std::string::npos);
+}
+
 TEST(Svg, WhatUseDrawsIsLimited) {
   std::string content = "<g id='g0'><rect width='1' height='1'/></g>";
   EXPECT_EQ(read_exactly(svg(content + "<use href='#g0'/>")), kSquare);
