@@ -393,8 +393,9 @@ MINKSUM_API minksum_status minksum_trace_get_loops(const minksum_trace *trace, d
 MINKSUM_API minksum_status minksum_validate(const minksum_geometry *geometry,
                                             const minksum_options *options, minksum_error *faults,
                                             size_t capacity, size_t *count, minksum_error *error);
-/** Computes the area of the polygons, correct to a few units in the last place unless outer rings
- * and holes nearly cancel. */
+/** Computes the area of the polygons, correct to a few units in the last place unless they are thin
+ * or far from the origin, or outer rings and holes nearly cancel. Polygons far from the origin have
+ * a relative error of at most 10^-9. */
 MINKSUM_API minksum_status minksum_area(const minksum_geometry *geometry, double *area,
                                         minksum_error *error);
 /** Computes the bounding box of the polygons: min x, min y, max x, max y. `found` receives 0 if

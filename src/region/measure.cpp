@@ -121,23 +121,38 @@ class CompensatedSum {
   double lost_ = 0;
 };
 
-double approximate_doubled_area(const Region& region, IndexRange ring, Cancellation& cancellation) {
-  if (ring.size() < 3) return 0;
-  const double origin_x = region.x(ring.front());
-  const double origin_y = region.y(ring.front());
+// An area in doubles, and a bound on what rounded coordinates add to its error.
+struct DoubleArea {
+  double value = 0;
+  double error = 0;
+};
+
+// Coordinates are seen from the first vertex. That difference is rounded, or both coordinates are.
+DoubleArea approximate_doubled_area(const Region& region, IndexRange ring, bool rounds_difference,
+                                    Cancellation& cancellation) {
+  if (ring.size() < 3) return {};
+  const std::size_t origin = ring.front();
   CompensatedSum sum;
+  double length = 0;
+  double farthest = 0;
   double last_x = 0;
   double last_y = 0;
   for (const std::size_t v : ring) {
     cancellation.check(work_of_product(RegionAccess::bits(region, v)));
-    const double x = region.x(v) - origin_x;
-    const double y = region.y(v) - origin_y;
+    double x = region.x(v) - region.x(origin);
+    double y = region.y(v) - region.y(origin);
+    if (rounds_difference) {
+      x = (region.exact_x(v) - region.exact_x(origin)).to_double();
+      y = (region.exact_y(v) - region.exact_y(origin)).to_double();
+    }
     sum.add(last_x * y);
     sum.add(-(x * last_y));
+    length += std::abs(x - last_x) + std::abs(y - last_y);
+    farthest = std::max({farthest, std::abs(region.x(v)), std::abs(region.y(v))});
     last_x = x;
     last_y = y;
   }
-  return std::abs(sum.value());
+  return {std::abs(sum.value()), rounds_difference ? 0 : 0x1p-51 * farthest * length};
 }
 
 // Returns the extreme coordinate. The nearest doubles decide, and exact comparison where they are
@@ -181,22 +196,27 @@ Rational area(const Region& region, const Options& options) {
 
 double approximate_area(const Region& region, const Options& options) {
   Cancellation cancellation(options);
-  CompensatedSum doubled;
-  for (const std::size_t polygon : region.polygons()) {
-    bool outer = true;
-    for (const std::size_t ring : region.rings_of(polygon)) {
-      const double part = approximate_doubled_area(region, region.vertices_of(ring), cancellation);
-      doubled.add(outer ? part : -part);
-      outer = false;
+  for (const bool rounds_difference : {false, true}) {
+    CompensatedSum doubled;
+    double error = 0;
+    for (const std::size_t polygon : region.polygons()) {
+      bool outer = true;
+      for (const std::size_t ring : region.rings_of(polygon)) {
+        const DoubleArea part = approximate_doubled_area(region, region.vertices_of(ring),
+                                                         rounds_difference, cancellation);
+        doubled.add(outer ? part.value : -part.value);
+        error += part.error;
+        outer = false;
+      }
     }
+    const double result = doubled.value() / 2;
+    // Outside this range, the relative error of double arithmetic may be larger than it should be.
+    constexpr double kSmallest = 1e-270;
+    if (!region.empty() && !(std::isfinite(result) && std::abs(result) > kSmallest)) break;
+    constexpr double kMostError = 1e-9;
+    if (error <= kMostError * std::abs(result)) return result;
   }
-  const double result = doubled.value() / 2;
-  // Outside this range, the relative error of double arithmetic may be larger than it should be.
-  constexpr double kSmallest = 1e-270;
-  if (!region.empty() && !(std::isfinite(result) && std::abs(result) > kSmallest)) {
-    return area(region, options).to_double();
-  }
-  return result;
+  return area(region, options).to_double();
 }
 
 std::optional<Box> bounding_box(const Region& region, const Options& options) {

@@ -85,6 +85,18 @@ TEST(Measure, BothWaysToTheAreaAgree) {
   }
 }
 
+TEST(Measure, AreaInDoublesIsGoodWhereCoordinatesAreNone) {
+  for (const char* const at : {"10000000000000000", "1", "-1e300"}) {
+    const Rational low = *Rational::parse(at);
+    for (const char* const side : {"3", "1/3", "1e-15"}) {
+      const Rational high = low + *Rational::parse(side);
+      const Region box(Polygon{{{low, low}, {high, low}, {high, high}, {low, high}}, {}});
+      const double exact = area(box).to_double();
+      EXPECT_NEAR(approximate_area(box), exact, 1e-9 * exact) << at << ' ' << side;
+    }
+  }
+}
+
 // Compares with the sum by definition. Denominators may be equal, neighbours or not, may have
 // common divisors, or may be 1; doubles and decimals are among the numbers.
 TEST(Measure, AreaAndBitsOfManyDenominators) {
