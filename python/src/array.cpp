@@ -129,6 +129,13 @@ void bind_array(nb::module_& m) {
             return nb::bool_(true);
           },
           nb::sig("def __eq__(self, other: object) -> bool"))
+      .def("__hash__",
+           [](const ShapeArray& a) {
+             std::size_t hash = a.items.size();
+             for (const std::size_t side : a.shape) hash = hash * 1000003U ^ side;
+             for (const ShapePtr& x : a.items) hash = hash * 1000003U ^ (x ? hash_of(*x) : 0);
+             return hash;
+           })
       .def("__repr__",
            [](const ShapeArray& a) {
              std::string text = "<minksum.GeometryArray of shape (";

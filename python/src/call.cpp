@@ -274,12 +274,18 @@ void Call::for_each(const std::vector<std::size_t>& shape,
   {
     const nb::gil_scoped_release unlocked;
     std::vector<std::thread> helpers;
+    helpers.reserve(std::min(threads, count));
     for (std::size_t t = 1; t < std::min(threads, count); ++t) {
       ++running;
-      helpers.emplace_back([&] {
-        work();
+      try {
+        helpers.emplace_back([&] {
+          work();
+          --running;
+        });
+      } catch (const std::system_error&) {  // the system gives no more threads
         --running;
-      });
+        break;
+      }
     }
     work();
     // While helpers finish their last elements, this thread goes on looking for Ctrl-C.

@@ -107,7 +107,7 @@ nb::dict exact_coordinates(const Geometry& geometry) {
   return parts;
 }
 
-std::size_t hash_of(const Geometry& geometry) {
+std::size_t hash_of_vertices(const Geometry& geometry) {
   std::size_t hash = geometry.region.ring_count();
   for_each_vertex(geometry, [&hash](double x, double y) {
     hash = hash * 1000003U ^ std::hash<double>()(x);
@@ -235,6 +235,8 @@ void bind_state(nb::class_<Shape>& type) {
 
 }  // namespace
 
+std::size_t hash_of(const Shape& shape) { return hash_of_vertices(shape.geometry); }
+
 std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid,
                    const Options& options) {
   std::string wkb = io::to_wkb(writable(shape, round, options));
@@ -318,7 +320,7 @@ void bind_geometry(nb::module_& m) {
             return nb::bool_(a.geometry == b->geometry);
           },
           nb::sig("def __eq__(self, other: object) -> bool"))
-      .def("__hash__", [](const Shape& s) { return hash_of(s.geometry); })
+      .def("__hash__", hash_of)
       .def("__bool__", [](const Shape& s) { return !s.geometry.empty(); });
   bind_conversions(type);
   bind_state(type);

@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "elementwise.hpp"
 #include "numbers.hpp"
+#include "once.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -79,8 +80,8 @@ nb::object contact_of(const std::optional<EdgeOrigin>& contact) {
 
 nb::object depth_of(const std::optional<Depth>& depth) {
   if (!depth) return nb::none();
-  static const nb::handle type =
-      nb::object(nb::module_::import_("minksum._results").attr("Depth")).release();
+  static nb::handle kept;
+  const nb::handle type = attribute_once(kept, "minksum._results", "Depth");
   return type(depth->overlapping, exact_point(depth->vector), exact_number(depth->squared),
               depth->distance, contact_of(depth->contact));
 }
@@ -219,6 +220,9 @@ void bind_pairs(nb::module_& m) {
         const ShapePtr first = operand_of(p);
         const ShapePtr second = operand_of(q);
         if (!sum || !first || !second) throw nb::type_error("None is not a geometry");
+        (void)common_srid(*first, *second);
+        (void)common_srid(*sum, *first);
+        (void)common_srid(*sum, *second);
         CheckOptions how;
         how.within = require_number(within, "within");
         SumCheck check;

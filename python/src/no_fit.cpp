@@ -137,6 +137,7 @@ void bind_no_fit(nb::module_& m) {
             if (!a || !b) throw nb::type_error("None is not a geometry");
             std::optional<Point> at;
             if (!reference.is_none()) at = require_point(reference, "reference");
+            (void)common_srid(*a, *b);
             new (self) NoFitPolygon(a->geometry, b->geometry, at);
           },
           "fixed"_a, "moving"_a, nb::kw_only(), "reference"_a = nb::none(),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "errors.hpp"
+#include "once.hpp"
 
 namespace nb = nanobind;
 
@@ -141,8 +142,8 @@ nb::object exact_number(const Rational& value) {
   const Rational::Limbs limbs = value.limbs();
   nb::object numerator = integer_object(limbs.numerator, limbs.negative);
   if (value.is_integer()) return numerator;
-  static const nb::handle fraction =
-      nb::object(nb::module_::import_("minksum._fractions").attr("coprime")).release();
+  static nb::handle kept;
+  const nb::handle fraction = attribute_once(kept, "minksum._fractions", "coprime");
   return fraction(numerator, integer_object(limbs.denominator, false));
 }
 

@@ -1,13 +1,12 @@
 #include "prepared.hpp"
 
-#include <mutex>
 #include <optional>
 
 namespace minksum::python {
 
 struct PreparedSlot::Kept {
-  std::atomic<bool> again{false};
-  std::once_flag once;
+  enum State { kNew, kAsked, kBusy, kDone };
+  std::atomic<State> state{kNew};
   std::optional<PreparedRegion> region;  ///< nothing if there are thin parts or rings that cross
 };
 
@@ -23,23 +22,33 @@ PreparedSlot::Kept& PreparedSlot::kept() const {
   return *found;
 }
 
+// Whoever prepares may need the interpreter's lock, or call back a function that asks for the same
+// geometry. So nobody waits for it: meanwhile, sums do without.
 const PreparedRegion* PreparedSlot::get(const Geometry& geometry, const Options& options) const {
   Kept& kept = this->kept();
-  if (!kept.again.exchange(true)) return nullptr;
-  std::call_once(kept.once, [&] {
-    if (geometry.has_thin_parts()) return;
+  Kept::State state = Kept::kNew;
+  if (kept.state.compare_exchange_strong(state, Kept::kAsked)) return nullptr;
+  if (state == Kept::kAsked && kept.state.compare_exchange_strong(state, Kept::kBusy)) {
     try {
       // Not resolved: origins count the vertices of the rings as they are.
-      kept.region.emplace(geometry.region, options);
+      if (!geometry.has_thin_parts()) kept.region.emplace(geometry.region, options);
     } catch (const Error& error) {
-      if (error.code() != ErrorCode::kBadInput) throw;
+      if (error.code() != ErrorCode::kBadInput) {
+        kept.state = Kept::kAsked;
+        throw;
+      }
+    } catch (...) {
+      kept.state = Kept::kAsked;
+      throw;
     }
-  });
-  return kept.region ? &*kept.region : nullptr;
+    kept.state = state = Kept::kDone;
+  }
+  return state == Kept::kDone && kept.region ? &*kept.region : nullptr;
 }
 
 void PreparedSlot::fill(const Geometry& geometry) const {
-  kept().again = true;
+  Kept::State state = Kept::kNew;
+  kept().state.compare_exchange_strong(state, Kept::kAsked);
   (void)get(geometry, {});
 }
 

@@ -17,10 +17,11 @@ class PreparedSlot {
   PreparedSlot& operator=(PreparedSlot&& /*other*/) noexcept { return *this; }
   ~PreparedSlot();
 
-  /// Returns the prepared form of the geometry that has the slot; null the first time, and for a
-  /// geometry with thin parts or rings that cross. Throws Error: kLimitExceeded, kCancelled.
+  /// Returns the prepared form of the geometry that has the slot; null the first time, while
+  /// another call prepares it, and for a geometry with thin parts or rings that cross. Throws
+  /// Error: kLimitExceeded, kCancelled.
   [[nodiscard]] const PreparedRegion* get(const Geometry& geometry, const Options& options) const;
-  /// Prepares now, so that the next `get` has it.
+  /// Prepares now, so that the next `get` has it, unless another call is about it.
   void fill(const Geometry& geometry) const;
 
  private:

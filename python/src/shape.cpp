@@ -11,6 +11,7 @@
 #include "call.hpp"
 #include "errors.hpp"
 #include "mapping.hpp"
+#include "once.hpp"
 
 namespace nb = nanobind;
 
@@ -159,8 +160,9 @@ ShapePtr shape_of_text(nb::handle object, bool drop_z) {
 }
 
 ShapePtr shape_of_shapely(nb::handle object, bool drop_z) {
-  static const nb::handle writer =
-      nb::object(nb::module_::import_("minksum._interop").attr("writer")()).release();
+  static nb::handle kept;
+  const nb::handle writer =
+      once(kept, [] { return nb::module_::import_("minksum._interop").attr("writer")(); });
   const auto parts = nb::borrow<nb::tuple>(writer);
   const nb::object wkb = parts.size() == 6
                              ? parts[0](object, parts[1], parts[2], parts[3], parts[4], parts[5])
@@ -225,6 +227,7 @@ Operands operands_of(nb::handle object, Reading reading) {
   if (is_of(object, "geopandas") && nb::hasattr(object, "to_numpy")) {
     return elements_of(object.attr("to_numpy")(), reading);
   }
+  if (is_of(object, "numpy.ma")) throw nb::type_error("masked arrays are not read: fill them");
   if (nb::hasattr(object, "dtype") && nb::hasattr(object, "ravel")) {
     ShapePtr ring = shape_of_array(object);
     return ring ? single(std::move(ring)) : elements_of(object, reading);
@@ -250,6 +253,7 @@ ShapePtr operand_of(nb::handle object, Reading reading) {
 
 Argument::Argument(nb::handle object, int operand, bool forgive) : object_(object) {
   if (nb::isinstance<Shape>(object)) {
+    if (!nb::inst_ready(object)) throw nb::type_error("a Geometry is not made: call __init__");
     shape_ = nb::inst_ptr<Shape>(object);
     return;
   }

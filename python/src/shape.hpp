@@ -28,6 +28,8 @@ struct Shape {
 };
 /// Null stands for a missing geometry, which is None in Python.
 using ShapePtr = std::shared_ptr<Shape>;
+/// Equal geometries have equal hashes.
+[[nodiscard]] std::size_t hash_of(const Shape& shape);
 
 /// Geometries in n dimensions, the last one running fastest.
 struct ShapeArray {

@@ -7,6 +7,7 @@
 #include "bindings.hpp"
 #include "elementwise.hpp"
 #include "numbers.hpp"
+#include "once.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -39,8 +40,8 @@ std::vector<Turn> turns_of(nb::handle angles, double tolerance) {
 }
 
 nb::object slice_of(Slice slice, bool free) {
-  static const nb::handle type =
-      nb::object(nb::module_::import_("minksum._results").attr("Slice")).release();
+  static nb::handle kept;
+  const nb::handle type = attribute_once(kept, "minksum._results", "Slice");
   const auto shape = [](Geometry geometry) {
     return nb::cast(std::make_shared<Shape>(Shape{std::move(geometry), 0}));
   };
@@ -50,8 +51,8 @@ nb::object slice_of(Slice slice, bool free) {
 }
 
 nb::object reach_of(const Reach& found) {
-  static const nb::handle type =
-      nb::object(nb::module_::import_("minksum._results").attr("Reach")).release();
+  static nb::handle kept;
+  const nb::handle type = attribute_once(kept, "minksum._results", "Reach");
   nb::list path;
   for (const Waypoint& point : found.path) {
     path.append(nb::make_tuple(exact_point(point.at), point.turn.degrees));

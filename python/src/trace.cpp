@@ -8,6 +8,7 @@
 
 #include "bindings.hpp"
 #include "elementwise.hpp"
+#include "once.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -65,8 +66,8 @@ nb::object trace_sum(nb::handle a, nb::handle b, MINKSUM_SETTINGS) {
   DetailedSum made;
   call.run(false,
            [&] { made = detailed_sum(p->geometry, q->geometry, call.options(), Detail::kTrace); });
-  static const nb::handle type =
-      nb::object(nb::module_::import_("minksum._results").attr("_trace")).release();
+  static nb::handle kept;
+  const nb::handle type = attribute_once(kept, "minksum._results", "_trace");
   return type(to_object(Shape{std::move(made.sum), common_srid(*p, *q)}),
               segments_of(made.trace.convolution), grid_of(made.trace.cover),
               points_of(made.trace.nodes), segments_of(made.trace.pieces),

@@ -159,6 +159,94 @@ def resident():
 
 
 @pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="needs Linux's /proc")
+def run_alone(program, seconds=60):
+    """Runs a program in a process of its own, in which nothing has been called yet."""
+    done = subprocess.run([sys.executable, "-c", textwrap.dedent(program)], capture_output=True,
+                          text=True, timeout=seconds, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_first_calls_of_many_threads():
+    run_alone("""
+        import threading
+        import minksum as mk, shapely
+        box, start = shapely.box(0, 0, 1, 1), threading.Barrier(8)
+        def use():
+            start.wait()
+            mk.from_wkt("POINT (1/3 1/7)").exact_coords()
+            mk.as_geometry(box)
+            mk.depth(box, box)
+        threads = [threading.Thread(target=use) for _ in range(8)]
+        for thread in threads: thread.start()
+        for thread in threads: thread.join()
+    """)
+
+
+def test_nobody_waits_for_a_geometry_that_is_prepared():
+    run_alone("""
+        import math, threading
+        import minksum as mk
+        n = 60000
+        ring = [(math.cos(i * math.tau / n) * (3 + i % 2), math.sin(i * math.tau / n) * (3 + i % 2))
+                for i in range(n)]
+        x, y = mk.as_geometry(ring), mk.box(0, 0, 1, 1)
+        mk.minkowski_sum(x, y)
+        helper = threading.Thread(target=lambda: mk.prepare(x))
+        def again(stage):
+            mk.minkowski_sum(x, y, threads=1)
+        helper.start()
+        mk.minkowski_sum(x, y, progress=again, threads=1)
+        helper.join()
+    """)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="limits of processes differ")
+def test_fewer_threads_than_asked_for():
+    run_alone("""
+        import resource
+        import numpy as np
+        import minksum as mk
+        boxes = np.array([mk.box(0, 0, i + 1, 1) for i in range(500)], dtype=object)
+        resource.setrlimit(resource.RLIMIT_STACK, (1 << 30, resource.RLIM_INFINITY))
+        resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
+        assert len(mk.minkowski_sum(boxes, mk.box(0, 0, 1, 1), threads=64)) == 500
+    """)
+
+
+def test_a_geometry_that_is_not_made():
+    with pytest.raises(TypeError, match="not made"):
+        mk.offset(mk.Geometry.__new__(mk.Geometry), 1)
+
+
+def test_masked_arrays_are_refused():
+    points = np.ma.masked_array([[0, 0], [4, 0], [4, 4], [9, 9]], mask=[[0, 0]] * 3 + [[1, 1]])
+    for dtype in (float, int, np.float32, object):
+        with pytest.raises(TypeError, match="masked arrays"):
+            mk.as_geometry(points.astype(dtype))
+
+
+def test_reference_systems_have_to_be_one():
+    a, b = (mk.as_geometry(f"SRID={srid};POLYGON ((0 0, 1 0, 0 1, 0 0))") for srid in (1, 2))
+    with pytest.raises(mk.BadInputError, match="two reference systems"):
+        mk.NoFitPolygon(a, b)
+    with pytest.raises(mk.BadInputError, match="two reference systems"):
+        mk.check_sum(mk.minkowski_sum(a, a), a, b)
+
+
+def test_equal_arrays_have_equal_hashes():
+    def make():
+        return mk.as_geometry([SQUARE, None, mk.box(0, 0, "1/3", 1)])
+
+    assert make() == make()
+    assert hash(make()) == hash(make())
+
+
+def test_areas_of_numbers_that_are_no_doubles():
+    assert mk.area(mk.box(10**16, 10**16, 10**16 + 3, 10**16 + 2)) == 6
+    assert mk.area(mk.box(1, 1, "1.0000000000000003", "1.0000000000000003")) == 9e-32
+
+
 def test_memory_does_not_grow():
     triangle = mk.from_wkt("POLYGON ((0 0, 1/3 0, 0 1, 0 0))")
 
