@@ -232,13 +232,13 @@ class SvgReader {
     }
   }
 
-  /// Draws an element, as `used` by another one or in its place. Returns false if it is nothing
-  /// that is drawn, or if its own conditions do not let it be.
-  bool draw(std::size_t index, State state, int depth, const Element* use_of = nullptr) {
+  /// Draws an element in its place, or for the `user` that refers to it. Returns false if it is
+  /// nothing that is drawn, or if its own conditions do not let it be.
+  bool draw(std::size_t index, State state, int depth, const Element* user = nullptr) {
     constexpr std::size_t kMostUsed = 100'000;  // symbols in symbols multiply
     cancellation_.check(256);
     const Element e = element(index);
-    const bool used_symbol = use_of != nullptr && e.name == "symbol";
+    const bool used_symbol = user != nullptr && e.name == "symbol";
     if (is_one_of(e.name, kUndrawn) && !used_symbol) return false;
     for (const char* const condition : {"systemLanguage", "requiredExtensions"}) {
       if (e.find(condition) == nullptr) continue;
@@ -256,7 +256,7 @@ class SvgReader {
       state.map = state.map.after(take_transform(document_.cursor_on(*transform)));
     }
     if (e.name == "svg" || used_symbol) {
-      if (enter_frame(e, use_of, state)) children(index, state, depth);
+      if (enter_frame(e, user, state)) children(index, state, depth);
     } else if (is_one_of(e.name, kGroups)) {
       children(index, state, depth);
     } else if (e.name == "use") {
