@@ -213,7 +213,7 @@ double approximate_area(const Region& region, const Options& options) {
     // Outside this range, the relative error of double arithmetic may be larger than it should be.
     constexpr double kSmallest = 1e-270;
     if (!region.empty() && !(std::isfinite(result) && std::abs(result) > kSmallest)) break;
-    constexpr double kMostError = 1e-9;
+    constexpr double kMostError = 1e-9;  // what the interface promises
     if (error <= kMostError * std::abs(result)) return result;
   }
   return area(region, options).to_double();

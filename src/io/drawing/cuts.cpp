@@ -76,7 +76,7 @@ class Cutter {
       const double grown = size * std::sqrt(0.98 / std::max(share, 1e-3));
       const bool inside = grown > low && grown < high && step % 3 != 2;
       size = inside ? grown : low == 0 ? high / 4 : (low + high) / 2;
-      // Nearly all would leave a short piece.
+      // A piece of nearly all would leave a short one behind it.
       if (high > whole && size > 0.97 * whole) size = whole;
     }
     guess_ = low;
@@ -167,7 +167,7 @@ class Cutter {
   std::vector<Piece> pieces_;
 };
 
-/// Returns the length of the difference of the directions, of length 1, at both ends of a curve.
+/// Returns how far apart the directions at both ends of a curve are, as vectors of length 1.
 double turn_of(const Bezier<double>& curve) {
   const auto direction = [&](std::size_t from, bool forwards) -> Vector<double> {
     const auto [x, y] = curve.at(from);

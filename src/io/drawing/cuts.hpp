@@ -14,7 +14,7 @@ struct Extent {
   double length = 0;    ///< of the chord
   double right = 0;     ///< how far it reaches to the right of the chord; see `measure`
   double left = 0;      ///< how far it reaches to the left
-  double width = 0;     ///< both sides together, and as much as cuts at the ends slant
+  double width = 0;     ///< of both sides together, more where cuts at the ends slant
   double diameter = 0;  ///< a bound on the diameter
   bool regular = true;  ///< whether it goes along the chord all the way
 };

@@ -45,7 +45,7 @@ class DxfReader {
 
   void read(GeometryBuilder& builder) {
     for (;;) {
-      while (tags_.peek().code == 9) header();  // some programs write an ENDSEC too many there
+      while (tags_.peek().code == 9) header();  // some programs end the header twice
       const DxfTag tag = tags_.next();
       if (tag.code == 0 && tag.value == "EOF") break;
       if (tag.code == 0 && tag.value == "ENDSEC") continue;

@@ -128,6 +128,7 @@ class Ribbon {
         tolerance_(tolerance),
         side_(side),
         near_(middle_of(curve)),
+        // Quadrilaterals have margins of two steps at each side, so none is proved for a few steps.
         pieces_(cut(near_, {width, width / 4, 16 * grid.size()}, box_turns, cancellation)),
         cuts_(pieces_.size()) {
     seen_.reserve(pieces_.size() + 1);
