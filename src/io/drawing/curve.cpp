@@ -67,9 +67,7 @@ class SplineParts {
       first_.push_back(i > 0 && knots[i] == knots[i - 1] ? first_.back() : i);
     }
     for (std::size_t i = degree; i < controls.size(); ++i) {
-      const auto own = controls.subspan(i - degree, degree + 1);
-      const bool is_point = std::all_of(own.begin(), own.end(),
-                                        [&own](const Point& control) { return control == own[0]; });
+      const bool is_point = are_one_point(controls.subspan(i - degree, degree + 1));
       if (knots[i] < knots[i + 1] && !is_point) spans_.push_back(i);
     }
   }
@@ -119,6 +117,11 @@ class SplineParts {
 };
 
 }  // namespace
+
+bool are_one_point(std::span<const Point> controls) {
+  return std::all_of(controls.begin(), controls.end(),
+                     [&](const Point& control) { return control == controls.front(); });
+}
 
 Span span_between(const Point& a, const Point& b) {
   return {Interval::of(b.x - a.x), Interval::of(b.y - a.y)};

@@ -26,6 +26,9 @@ inline Span operator+(const Span& a, const Span& b) { return {a.x + b.x, a.y + b
 inline Span operator-(const Span& a, const Span& b) { return {a.x - b.x, a.y - b.y}; }
 inline Span operator*(const Interval& f, const Span& a) { return {f * a.x, f * a.y}; }
 
+/// Tells whether control points are all the same point.
+[[nodiscard]] bool are_one_point(std::span<const Point> controls);
+
 /// Returns the polynomial Bezier curve of two to twelve control points.
 [[nodiscard]] Curve bezier_curve(std::span<const Point> controls);
 

@@ -311,8 +311,7 @@ void DxfShapes::spline(const DxfValues& values, const DxfEntity& entity, const N
   const auto [p, controls, knots, weights] = take_spline(values, entity);
   const std::size_t n = controls.size();
   const Point& first = controls.front();
-  const bool is_point = std::all_of(controls.begin(), controls.end(),
-                                    [&](const Point& control) { return control == first; });
+  const bool is_point = are_one_point(controls);
   if (p == 1 || is_point) {
     outlines_.set_map(map);
     outlines_.move_to(first);

@@ -14,9 +14,7 @@ bool is_straight(std::span<const Point> controls) {
   const Rational dx = controls.back().x - a.x;
   const Rational dy = controls.back().y - a.y;
   // A curve back to its first point is straight only if it never leaves it.
-  if (a == controls.back()) {
-    return std::all_of(controls.begin(), controls.end(), [&](const Point& p) { return p == a; });
-  }
+  if (a == controls.back()) return are_one_point(controls);
   Rational before;
   for (const Point& p : controls.subspan(1)) {
     const Rational x = p.x - a.x;
