@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bindings.hpp"
+#include "call.hpp"
 #include "shape.hpp"
 
 namespace nb = nanobind;
@@ -16,6 +17,10 @@ namespace minksum::python {
 namespace {
 
 nb::object element(const ShapeArray& array, nb::handle key) {
+  std::size_t index = 0;
+  if (array.shape.size() == 1 && nb::try_cast(key, index, false) && index < array.items.size()) {
+    return to_object(array.items[index]);
+  }
   // NumPy knows how indices and slices work: it is asked which elements are meant.
   const nb::object numpy = nb::module_::import_("numpy");
   const nb::object places =
@@ -43,10 +48,12 @@ nb::object objects_of(const ShapeArray& array) {
 nb::object wkb_array(const ShapeArray& array, const std::string& round, bool include_srid) {
   const nb::object numpy = nb::module_::import_("numpy");
   nb::object flat = numpy.attr("empty")(array.items.size(), "dtype"_a = "O");
-  for (std::size_t i = 0; i < array.items.size(); ++i) {
-    if (!array.items[i]) continue;
-    const std::string wkb = wkb_of(*array.items[i], round, include_srid);
-    flat[i] = nb::bytes(wkb.data(), wkb.size());
+  std::vector<std::string> written(array.items.size());
+  Call().for_each(array.shape, [&](std::size_t i, const Options& options) {
+    if (array.items[i]) written[i] = wkb_of(*array.items[i], round, include_srid, options);
+  });
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    if (array.items[i]) flat[i] = nb::bytes(written[i].data(), written[i].size());
   }
   return flat.attr("reshape")(nb::tuple(nb::cast(array.shape)));
 }

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "errors.hpp"
+#include "lock.hpp"
 
 namespace nb = nanobind;
 
@@ -164,7 +165,7 @@ struct Call::Watch {
     }
     if (calling && signals && now >= next_look) {
       next_look = now + kBetweenLooks;
-      const nb::gil_scoped_acquire lock;
+      const Locked lock;
       if (PyErr_CheckSignals() != 0) throw nb::python_error();
     }
     return false;
@@ -176,14 +177,17 @@ struct Call::Watch {
     if (how_far.stage == stage && now < next_progress) return true;
     stage = how_far.stage;
     next_progress = now + kBetweenCalls;
-    const nb::gil_scoped_acquire lock;
+    const Locked lock;
     const nb::object answer = progress(to_string(how_far.stage));
-    return answer.is_none() || nb::cast<bool>(answer);
+    if (answer.is_none()) return true;
+    const int yes = PyObject_IsTrue(answer.ptr());
+    if (yes < 0) throw nb::python_error();
+    return yes != 0;
   }
 
   // The last owner may hold no lock.
   ~Watch() {
-    const nb::gil_scoped_acquire lock;
+    const Locked lock;
     progress.reset();
   }
 };
@@ -226,7 +230,7 @@ void Call::run(bool small, const std::function<void()>& operation) {
   start_watch();
   options_.threads = static_cast<int>(thread_count(threads_));
   auto memory = std::make_unique<Workspace>();
-  const nb::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   const Loan loan(options_, memory.get());
   try {
     operation();
@@ -272,7 +276,7 @@ void Call::for_each(const std::vector<std::size_t>& shape,
     }
   };
   {
-    const nb::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     std::vector<std::thread> helpers;
     helpers.reserve(std::min(threads, count));
     for (std::size_t t = 1; t < std::min(threads, count); ++t) {

@@ -12,6 +12,7 @@
 
 #include "bindings.hpp"
 #include "call.hpp"
+#include "elementwise.hpp"
 #include "numbers.hpp"
 #include "shape.hpp"
 #include "state.hpp"
@@ -28,12 +29,23 @@ io::Coordinates exact_style() {
   return style;
 }
 
-/// Doubles are written of a rounded set, so that what is written is valid.
-Geometry writable(const Shape& shape, const std::string& side, const Options& options = {}) {
+/// Doubles and decimals are written of a rounded set, so that what is written is valid.
+Geometry writable(const Shape& shape, const std::string& side, const Options& options,
+                  std::optional<int> decimals = {}) {
   RoundOptions target;
   target.side = side_of(side);
+  target.decimals = decimals;
   if (shape.resolved) return round(shape.geometry, target, options);
   return round(resolve(shape.geometry, options), target, options);
+}
+
+/// Returns what `make` returns, and lets go of the interpreter's lock if that may take long.
+template <class Make>
+auto computed(const Shape& shape, const Make& make) {
+  Call call;
+  decltype(make(call.options())) made;
+  call.run(is_small(shape.geometry), [&] { made = make(call.options()); });
+  return made;
 }
 
 std::string geometry_type(const Geometry& geometry) {
@@ -139,43 +151,45 @@ nb::object origins(const Geometry& geometry) {
 }
 
 std::string picture(const Shape& shape) {
-  std::ostringstream out;
-  io::write(out, writable(shape, "nearest"), io::Format::kSvg);
-  return out.str();
+  return computed(shape, [&](const Options& options) {
+    std::ostringstream out;
+    io::write(out, writable(shape, "nearest", options), io::Format::kSvg);
+    return out.str();
+  });
 }
 
-std::string wkt_of(const Geometry& geometry, std::optional<int> decimals,
-                   const std::string& round_to) {
-  RoundOptions target;
-  target.side = side_of(round_to);
-  target.decimals = decimals;
+std::string geojson_of(const Shape& shape) {
+  return computed(shape, [&](const Options& options) {
+    return io::to_geojson(writable(shape, "nearest", options));
+  });
+}
+
+std::string wkt_of(const Shape& shape, std::optional<int> decimals, const std::string& side) {
   io::Coordinates style;
   if (decimals) {
     style.style = io::Coordinates::Style::kDecimal;
     style.digits = *decimals;
   }
-  return io::to_wkt(round(resolve(geometry), target), style);
+  return computed(shape, [&](const Options& options) {
+    return io::to_wkt(writable(shape, side, options, decimals), style);
+  });
 }
 
 void bind_conversions(nb::class_<Shape>& type) {
-  type.def(
-          "to_wkt",
-          [](const Shape& s, std::optional<int> decimals, const std::string& round) {
-            return wkt_of(s.geometry, decimals, round);
-          },
-          nb::kw_only(), "decimals"_a = nb::none(), "round"_a = "nearest",
-          "Return WKT of the rounded set, which is valid.\n\n"
-          "Parameters\n----------\n"
-          "decimals : int, optional\n    Digits after the point. Without it, doubles are "
-          "written.\n"
-          "round : {'nearest', 'outside', 'inside'}\n    The side to which the set is rounded.\n\n"
-          "Examples\n--------\n>>> import minksum\n"
-          ">>> minksum.from_wkt('POLYGON ((0 0, 1/3 0, 0 1, 0 0))').to_wkt(decimals=2)\n"
-          "'POLYGON ((0.00 0.00, 0.33 0.00, 0.00 1.00, 0.00 0.00))'")
+  type.def("to_wkt", wkt_of, nb::kw_only(), "decimals"_a = nb::none(), "round"_a = "nearest",
+           "Return WKT of the rounded set, which is valid.\n\n"
+           "Parameters\n----------\n"
+           "decimals : int, optional\n    Digits after the point. Without it, doubles are "
+           "written.\n"
+           "round : {'nearest', 'outside', 'inside'}\n    The side to which the set is rounded.\n\n"
+           "Examples\n--------\n>>> import minksum\n"
+           ">>> minksum.from_wkt('POLYGON ((0 0, 1/3 0, 0 1, 0 0))').to_wkt(decimals=2)\n"
+           "'POLYGON ((0.00 0.00, 0.33 0.00, 0.00 1.00, 0.00 0.00))'")
       .def(
           "to_wkb",
           [](const Shape& s, const std::string& round, bool include_srid) {
-            const std::string wkb = wkb_of(s, round, include_srid);
+            const std::string wkb = computed(
+                s, [&](const Options& options) { return wkb_of(s, round, include_srid, options); });
             return nb::bytes(wkb.data(), wkb.size());
           },
           nb::kw_only(), "round"_a = "nearest", "include_srid"_a = false,
@@ -183,8 +197,7 @@ void bind_conversions(nb::class_<Shape>& type) {
       .def(
           "to_geojson",
           [](const Shape& s, bool exact) {
-            return exact ? io::to_geojson(s.geometry, exact_style())
-                         : io::to_geojson(writable(s, "nearest"));
+            return exact ? io::to_geojson(s.geometry, exact_style()) : geojson_of(s);
           },
           nb::kw_only(), "exact"_a = false,
           "Return a GeoJSON geometry object as a text. With `exact`, fractions are strings.")
@@ -192,10 +205,7 @@ void bind_conversions(nb::class_<Shape>& type) {
       .def("_repr_svg_", picture)
       .def_prop_ro(
           "__geo_interface__",
-          [](const Shape& s) {
-            return nb::module_::import_("json").attr("loads")(
-                io::to_geojson(writable(s, "nearest")));
-          },
+          [](const Shape& s) { return nb::module_::import_("json").attr("loads")(geojson_of(s)); },
           nb::sig("def __geo_interface__(self) -> dict[str, typing.Any]"),
           "The rounded set as a GeoJSON mapping.")
       .def("__str__", [](const Shape& s) { return io::to_wkt(s.geometry, exact_style()); })
@@ -235,6 +245,10 @@ void bind_state(nb::class_<Shape>& type) {
 
 }  // namespace
 
+Geometry set_of(const Shape& shape, const Options& options) {
+  return shape.resolved ? shape.geometry : resolve(shape.geometry, options);
+}
+
 std::size_t hash_of(const Shape& shape) { return hash_of_vertices(shape.geometry); }
 
 std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid,
@@ -269,7 +283,12 @@ void bind_geometry(nb::module_& m) {
       .def_prop_ro(
           "is_empty", [](const Shape& s) { return s.geometry.empty(); }, "Whether it is empty.")
       .def_prop_ro(
-          "area", [](const Shape& s) { return approximate_area(s.geometry.region); },
+          "area",
+          [](const Shape& s) {
+            return computed(s, [&](const Options& options) {
+              return approximate_area(set_of(s, options).region);
+            });
+          },
           "The area as a float. `minksum.area(g, exact=True)` is exact.")
       .def_prop_ro(
           "geom_type", [](const Shape& s) { return geometry_type(s.geometry); },

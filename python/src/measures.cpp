@@ -16,26 +16,53 @@ using namespace nb::literals;
 namespace minksum::python {
 namespace {
 
-template <class Ask>
-nb::object ask_each(nb::handle a, const Ask& ask) {
-  const Operands operands = operands_of(a);
-  std::vector<nb::object> values;
-  for (const ShapePtr& item : operands.array.items) {
-    values.push_back(item ? nb::object(ask(item->geometry)) : nb::none());
+/// Makes objects of values, on the thread that has the interpreter's lock.
+template <class Value, class Show>
+std::vector<nb::object> shown(const std::vector<std::optional<Value>>& values, const Show& show) {
+  std::vector<nb::object> objects;
+  for (const auto& value : values) {
+    objects.push_back(value ? nb::object(show(*value)) : nb::none());
   }
-  return nested(values, operands.array.shape, operands.scalar);
+  return objects;
+}
+
+/// Computes a value for each element with the lock released, and then makes objects of the values.
+template <class Value, class Compute, class Show>
+nb::object ask_each(nb::handle a, const Compute& compute, const Show& show) {
+  const Argument argument(a);
+  Call call;
+  if (argument.scalar()) {
+    const Shape* shape = argument.shape();
+    if (shape == nullptr) return nb::none();
+    std::optional<Value> value;
+    call.run(is_small(shape->geometry), [&] { value = compute(*shape, call.options()); });
+    return show(*value);
+  }
+  const ShapeArray& array = argument.array().array;
+  std::vector<std::optional<Value>> values(array.items.size());
+  call.for_each(array.shape, [&](std::size_t i, const Options& options) {
+    if (array.items[i]) values[i] = compute(*array.items[i], options);
+  });
+  return nested(shown(values, show), array.shape, false);
 }
 
 nb::object area_of(nb::handle a, bool exact) {
-  return ask_each(a, [exact](const Geometry& g) -> nb::object {
-    const Region region = resolve(g).region;
-    if (exact) return exact_number(area(region));
-    return nb::float_(approximate_area(region));
-  });
+  if (exact) {
+    return ask_each<Rational>(
+        a, [](const Shape& s, const Options& options) { return area(set_of(s, options).region); },
+        exact_number);
+  }
+  return ask_each<double>(
+      a,
+      [](const Shape& s, const Options& options) {
+        return approximate_area(set_of(s, options).region);
+      },
+      [](double value) { return nb::float_(value); });
 }
 
 nb::object bounds_of(nb::handle a, bool exact) {
-  return ask_each(a, [exact](const Geometry& g) -> nb::object {
+  const auto box_of = [](const Shape& s, const Options& /*options*/) {
+    const Geometry& g = s.geometry;
     Region corners = g.region;
     if (g.has_thin_parts()) {
       corners.begin_polygon();
@@ -45,14 +72,16 @@ nb::object bounds_of(nb::handle a, bool exact) {
       }
       for (const Point& p : g.points) corners.add_vertex(p.x, p.y);
     }
-    const std::optional<Box> box = bounding_box(corners);
-    if (!box) return nb::none();
+    return bounding_box(corners);
+  };
+  return ask_each<std::optional<Box>>(a, box_of, [exact](const std::optional<Box>& box) {
+    if (!box) return nb::object(nb::none());
     const auto number = [exact](const Rational& r) -> nb::object {
       if (exact) return exact_number(r);
       return nb::float_(r.to_double());
     };
-    return nb::make_tuple(number(box->min.x), number(box->min.y), number(box->max.x),
-                          number(box->max.y));
+    return nb::object(nb::make_tuple(number(box->min.x), number(box->min.y), number(box->max.x),
+                                     number(box->max.y)));
   });
 }
 
@@ -101,11 +130,7 @@ nb::object ask_pairs(Call& call, nb::handle a, nb::handle b, const Compute& comp
                   (void)common_srid(x, y);
                   values[i] = compute(x.geometry, y.geometry, options);
                 });
-  std::vector<nb::object> objects;
-  for (const auto& value : values) {
-    objects.push_back(value ? nb::object(show(*value)) : nb::none());
-  }
-  return nested(objects, pairs.shape(), first.scalar && second.scalar);
+  return nested(shown(values, show), pairs.shape(), first.scalar && second.scalar);
 }
 
 nb::object locate_all(nb::handle a, nb::handle points, MINKSUM_SETTINGS) {
@@ -256,10 +281,12 @@ void bind_measures(nb::module_& m) {
       [](nb::handle a, std::size_t max_faults) {
         const ShapePtr shape = operand_of(a);
         if (!shape) throw nb::type_error("None is not a geometry");
+        Call call;
+        std::vector<Fault> faults;
+        call.run(is_small(shape->geometry),
+                 [&] { faults = validate(shape->geometry.region, max_faults, call.options()); });
         nb::list list;
-        for (const Fault& fault : validate(shape->geometry.region, max_faults)) {
-          list.append(fault_of(fault));
-        }
+        for (const Fault& fault : faults) list.append(fault_of(fault));
         return list;
       },
       "a"_a, "max_faults"_a = 100,
@@ -270,8 +297,12 @@ void bind_measures(nb::module_& m) {
   m.def(
       "is_valid",
       [](nb::handle a) {
-        return ask_each(a,
-                        [](const Geometry& g) { return nb::bool_(validate(g.region, 1).empty()); });
+        return ask_each<bool>(
+            a,
+            [](const Shape& s, const Options& options) {
+              return validate(s.geometry.region, 1, options).empty();
+            },
+            [](bool value) { return nb::bool_(value); });
       },
       "a"_a.none(), nb::sig("def is_valid(a: GeometryLike) -> typing.Any"),
       "Return whether all polygons are valid operands.");

@@ -6,12 +6,15 @@
 
 #include "bindings.hpp"
 #include "errors.hpp"
+#include "lock.hpp"
 
 namespace nb = nanobind;
 
 NB_MODULE(_core, m) {
   using minksum::CancelToken;
   minksum::python::register_errors();
+  nb::module_::import_("atexit").attr("register")(
+      nb::cpp_function(minksum::python::InterpreterEnd::come));
   nb::class_<CancelToken>(m, "CancelToken", "Stops calls from any thread.")
       .def(nb::init<>())
       .def("cancel", &CancelToken::cancel, "Stop every call that has the token.")

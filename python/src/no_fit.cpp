@@ -9,6 +9,7 @@
 
 #include "bindings.hpp"
 #include "elementwise.hpp"
+#include "lock.hpp"
 #include "numbers.hpp"
 
 namespace nb = nanobind;
@@ -89,7 +90,7 @@ ShapeArrayPtr entries(const Table& table, std::size_t first, std::optional<std::
   first = std::min(first, last);
   array->shape = {last - first, turns, table.parts, turns};
   array->items.resize((last - first) * turns * table.parts * turns);
-  const nb::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   std::size_t i = 0;
   for (std::size_t fixed = first; fixed < last; ++fixed) {
     for (std::size_t r = 0; r < turns; ++r) {
@@ -138,7 +139,10 @@ void bind_no_fit(nb::module_& m) {
             std::optional<Point> at;
             if (!reference.is_none()) at = require_point(reference, "reference");
             (void)common_srid(*a, *b);
-            new (self) NoFitPolygon(a->geometry, b->geometry, at);
+            Call call;
+            call.run(is_small(a->geometry, b->geometry), [&] {
+              new (self) NoFitPolygon(a->geometry, b->geometry, at, call.options());
+            });
           },
           "fixed"_a, "moving"_a, nb::kw_only(), "reference"_a = nb::none(),
           nb::sig("def __init__(self, fixed: GeometryLike, moving: GeometryLike, *, "

@@ -46,10 +46,10 @@ const PreparedRegion* PreparedSlot::get(const Geometry& geometry, const Options&
   return state == Kept::kDone && kept.region ? &*kept.region : nullptr;
 }
 
-void PreparedSlot::fill(const Geometry& geometry) const {
+void PreparedSlot::fill(const Geometry& geometry, const Options& options) const {
   Kept::State state = Kept::kNew;
   kept().state.compare_exchange_strong(state, Kept::kAsked);
-  (void)get(geometry, {});
+  (void)get(geometry, options);
 }
 
 }  // namespace minksum::python

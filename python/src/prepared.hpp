@@ -22,7 +22,7 @@ class PreparedSlot {
   /// Error: kLimitExceeded, kCancelled.
   [[nodiscard]] const PreparedRegion* get(const Geometry& geometry, const Options& options) const;
   /// Prepares now, so that the next `get` has it, unless another call is about it.
-  void fill(const Geometry& geometry) const;
+  void fill(const Geometry& geometry, const Options& options) const;
 
  private:
   struct Kept;

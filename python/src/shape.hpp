@@ -80,9 +80,12 @@ class Argument {
 /// Reads a text or bytes in a format of the library.
 [[nodiscard]] ShapePtr read_shape(std::string_view text, bool drop_z);
 
+/// Returns the set that a geometry means: what its rings enclose, each point once.
+[[nodiscard]] Geometry set_of(const Shape& shape, const Options& options);
+
 /// Returns the little-endian WKB of a geometry that is rounded to a side, and so stays valid.
 [[nodiscard]] std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid,
-                                 const Options& options = {});
+                                 const Options& options);
 
 /// Tells whether an object is a column of Arrow.
 [[nodiscard]] bool is_arrow(nanobind::handle object);

@@ -6,6 +6,7 @@
 
 #include "bindings.hpp"
 #include "elementwise.hpp"
+#include "lock.hpp"
 #include "numbers.hpp"
 #include "once.hpp"
 
@@ -80,10 +81,14 @@ void bind_space(nb::module_& m) {
              nb::handle workspace, bool tight, const std::string& fill) {
             ConfigurationOptions setting;
             set_up(setting, reference, workspace);
-            Options options;
-            options.fill = rule_of(fill);
-            if (tight) options.tight = true;
-            new (self) ConfigurationSpace(required(robot), required(obstacles), setting, options);
+            const Geometry moving = required(robot);
+            const Geometry walls = required(obstacles);
+            Call call;
+            call.options().fill = rule_of(fill);
+            if (tight) call.options().tight = true;
+            call.run(false, [&] {
+              new (self) ConfigurationSpace(moving, walls, setting, call.options());
+            });
           },
           "robot"_a, "obstacles"_a, nb::kw_only(), "reference"_a = nb::none(),
           "workspace"_a = nb::none(), "tight"_a = false, "fill"_a = "automatic",
@@ -97,7 +102,7 @@ void bind_space(nb::module_& m) {
             const Turn turn = nearest_turn(require_number(degrees, "degrees"), tolerance);
             Slice slice;
             {
-              const nb::gil_scoped_release unlocked;
+              const Unlocked unlocked;
               slice = space.slice(turn, free);
             }
             return slice_of(std::move(slice), free);
@@ -119,6 +124,9 @@ void bind_space(nb::module_& m) {
           nb::sig("def turns(self, angles: int | typing.Iterable[Number], *, "
                   "tolerance: float = 0.001) -> list[Exact]"),
           "Return the angles of so many equal steps, or those that are given, as exact degrees.");
+  m.def(
+      "_exact", [](nb::handle value) { return exact_number(require_number(value, "a number")); },
+      "value"_a, nb::sig("def _exact(value: Number) -> Exact"));
   m.def(
       "_direction",
       [](nb::handle degrees, double tolerance) {

@@ -140,9 +140,12 @@ void bind_sums(nb::module_& m) {
       "prepare",
       [](nb::handle a) {
         const Operands operands = operands_of(a);
-        for (const ShapePtr& item : operands.array.items) {
-          if (item) item->prepared.fill(item->geometry);
-        }
+        Call call;
+        call.run(false, [&] {
+          for (const ShapePtr& item : operands.array.items) {
+            if (item) item->prepared.fill(item->geometry, call.options());
+          }
+        });
         return operands.scalar ? to_object(operands.array.items.front())
                                : to_object(operands.array);
       },
