@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any
 
 from . import _core
 from ._types import GeometryLike, Number
-
-
-def _fraction(number: Number) -> Fraction:
-    return Fraction(number)
 
 
 def translate(a: GeometryLike, xoff: Number = 0, yoff: Number = 0) -> Any:
@@ -33,8 +28,8 @@ def scale(
     origin: tuple[Number, Number] = (0, 0),
 ) -> Any:
     """Return the set scaled about a point, exactly."""
-    x, y = map(_fraction, origin)
-    fx, fy = _fraction(xfact), _fraction(yfact)
+    x, y = map(_core._exact, origin)
+    fx, fy = map(_core._exact, (xfact, yfact))
     return _core.affine_transform(a, [fx, 0, 0, fy, x - fx * x, y - fy * y])
 
 
@@ -51,7 +46,7 @@ def rotate(
     angle. Multiples of 90 degrees are taken as they are.
     """
     cos, sin = _core._direction(degrees, tolerance)
-    x, y = map(_fraction, origin)
+    x, y = map(_core._exact, origin)
     return _core.affine_transform(
         a, [cos, -sin, sin, cos, x - cos * x + sin * y, y - sin * x - cos * y]
     )

@@ -14,8 +14,8 @@ from .errors import BadInputError
 Path = Union[str, "PathLike[str]"]
 
 
-def _text(path: Path) -> str:
-    with open(path, encoding="utf-8", newline="") as file:
+def _bytes(path: Path) -> bytes:
+    with open(path, "rb") as file:
         return file.read()
 
 
@@ -31,7 +31,7 @@ def read_svg(path: Path, *, tolerance: Number | None = None, side: str = "neares
     side : {'nearest', 'outside', 'inside'}
         'outside' contains the drawn areas, and 'inside' lies within them.
     """
-    return _core._read_svg(_text(path), tolerance, side)
+    return _core._read_svg(_bytes(path), tolerance, side)
 
 
 def read_dxf(
@@ -47,7 +47,7 @@ def read_dxf(
     Ends of outlines are joined if they are at most `join_ends` apart. The other parameters are
     those of `read_svg`.
     """
-    return _core._read_dxf(_text(path), tolerance, side, layer, join_ends)
+    return _core._read_dxf(_bytes(path), tolerance, side, layer, join_ends)
 
 
 def _ring(points: Any, what: str) -> list[tuple[Any, Any]]:
@@ -79,7 +79,7 @@ def read_jagua(path: Path) -> dict[str, list[dict[str, Any]]]:
     Each is a dict with its `geometry` and whatever else the file says of it, such as `demand` and
     `allowed_orientations`. Coordinates are the doubles of the file, exactly.
     """
-    document = json.loads(_text(path))
+    document = json.loads(_bytes(path))
     parts: dict[str, list[dict[str, Any]]] = {"items": [], "bins": []}
     for group in ("items", "bins"):
         for i, entry in enumerate(document.get(group, [])):

@@ -69,12 +69,20 @@ def _warn_of_degrees(operands: tuple[Any, ...]) -> None:
             return
 
 
-def _wrapped(function: Callable[..., Any], operands: int) -> Callable[..., Any]:
+def _wrapped(function: Callable[..., Any]) -> Callable[..., Any]:
     @functools.wraps(function)
-    def call(*args: Any, round: str = "nearest", **settings: Any) -> Any:
-        _warn_of_degrees(args[:operands])
-        result = from_minksum(function(*args, **settings), round=round)
-        return _like(result, args[:operands])
+    def call(*args: Any, round: str = "nearest", **named: Any) -> Any:
+        given = (*args, *named.values())
+        _warn_of_degrees(given)
+
+        def shown(part: Any) -> Any:
+            # Sums come with statistics, too, if they are asked for.
+            if not hasattr(part, "to_wkb"):
+                return part
+            return _like(from_minksum(part, round=round), given)
+
+        result = function(*args, **named)
+        return tuple(map(shown, result)) if isinstance(result, tuple) else shown(result)
 
     call.__doc__ = (
         f"Return what `minksum.{function.__name__}` does, as Shapely geometries that are rounded "
@@ -83,15 +91,15 @@ def _wrapped(function: Callable[..., Any], operands: int) -> Callable[..., Any]:
     return call
 
 
-minkowski_sum = _wrapped(_core.minkowski_sum, 2)
-dilate = _wrapped(_core.dilate, 2)
-erode = _wrapped(_core.erode, 2)
-opening = _wrapped(_core.opening, 2)
-closing = _wrapped(_core.closing, 2)
-union = _wrapped(_core.union, 2)
-intersection = _wrapped(_core.intersection, 2)
-difference = _wrapped(_core.difference, 2)
-symmetric_difference = _wrapped(_core.symmetric_difference, 2)
-no_fit_polygon = _wrapped(_core.no_fit_polygon, 2)
-inner_fit_polygon = _wrapped(_core.inner_fit_polygon, 2)
-offset = _wrapped(_core.offset, 1)
+minkowski_sum = _wrapped(_core.minkowski_sum)
+dilate = _wrapped(_core.dilate)
+erode = _wrapped(_core.erode)
+opening = _wrapped(_core.opening)
+closing = _wrapped(_core.closing)
+union = _wrapped(_core.union)
+intersection = _wrapped(_core.intersection)
+difference = _wrapped(_core.difference)
+symmetric_difference = _wrapped(_core.symmetric_difference)
+no_fit_polygon = _wrapped(_core.no_fit_polygon)
+inner_fit_polygon = _wrapped(_core.inner_fit_polygon)
+offset = _wrapped(_core.offset)

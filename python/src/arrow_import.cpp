@@ -3,6 +3,7 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -108,6 +109,8 @@ class Vertices {
   [[nodiscard]] double x(std::int64_t i) const { return numbers_[0][stride_ * i]; }
   [[nodiscard]] double y(std::int64_t i) const { return numbers_[1][stride_ * i]; }
   [[nodiscard]] Point point(std::int64_t i) const { return {check(i), Rational(y(i))}; }
+  /// GeoArrow writes the empty point as NaN.
+  [[nodiscard]] bool is_empty(std::int64_t i) const { return std::isnan(x(i)) && std::isnan(y(i)); }
 
   void append_ring(Region& region, std::int64_t begin, std::int64_t end) const {
     region.begin_ring();
@@ -203,8 +206,8 @@ class Reader {
       polyline(geometry, 0, i);
     } else if (kind_ == "multipoint") {
       each(0, i, [&](std::int64_t p) { geometry.points.push_back(vertices_->point(p)); });
-    } else if (const Point at = vertices_->point(i); true) {
-      geometry.points.push_back(at);
+    } else if (!vertices_->is_empty(i)) {
+      geometry.points.push_back(vertices_->point(i));
     }
     return shape;
   }

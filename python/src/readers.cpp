@@ -28,13 +28,14 @@ Shape box(nb::handle x0, nb::handle y0, nb::handle x1, nb::handle y1) {
   return {Region(Polygon{{{left, low}, {right, low}, {right, high}, {left, high}}}), 0};
 }
 
-ShapePtr read_drawing(const std::string& text, nb::handle tolerance, const std::string& side,
+ShapePtr read_drawing(const nb::bytes& bytes, nb::handle tolerance, const std::string& side,
                       const std::string& layer, nb::handle join_ends, io::Format format) {
   io::ReadOptions options;
   if (!tolerance.is_none()) options.drawing.tolerance = require_number(tolerance, "tolerance");
   options.drawing.side = side_of(side);
   options.drawing.layer = layer;
   options.drawing.join_ends = require_number(join_ends, "join_ends");
+  const std::string_view text(static_cast<const char*>(bytes.data()), bytes.size());
   if (io::detect_format(text) != format) {
     throw Error(ErrorCode::kBadInput,
                 format == io::Format::kSvg ? "the text is not SVG" : "the text is not DXF");
@@ -124,19 +125,19 @@ void bind_readers(nb::module_& m) {
       "it contains the disc, and by 'inside' it lies within it.");
   m.def(
       "_read_svg",
-      [](const std::string& text, nb::handle tolerance, const std::string& side) {
+      [](const nb::bytes& text, nb::handle tolerance, const std::string& side) {
         return read_drawing(text, tolerance, side, "", nb::int_(0), io::Format::kSvg);
       },
       "text"_a, "tolerance"_a.none(), "side"_a,
-      nb::sig("def _read_svg(text: str, tolerance: Number | None, side: str) -> Geometry"));
+      nb::sig("def _read_svg(text: bytes, tolerance: Number | None, side: str) -> Geometry"));
   m.def(
       "_read_dxf",
-      [](const std::string& text, nb::handle tolerance, const std::string& side,
+      [](const nb::bytes& text, nb::handle tolerance, const std::string& side,
          const std::string& layer, nb::handle join_ends) {
         return read_drawing(text, tolerance, side, layer, join_ends, io::Format::kDxf);
       },
       "text"_a, "tolerance"_a.none(), "side"_a, "layer"_a, "join_ends"_a,
-      nb::sig("def _read_dxf(text: str, tolerance: Number | None, side: str, layer: str, "
+      nb::sig("def _read_dxf(text: bytes, tolerance: Number | None, side: str, layer: str, "
               "join_ends: Number) -> Geometry"));
 }
 

@@ -137,6 +137,11 @@ Operands elements_of(nb::handle array, Reading reading) {
     return operands_of(array.attr("tolist")(), reading);
   }
   nb::object elements = array.attr("ravel")().attr("tolist")();
+  // Numbers of other types, such as fractions, are objects to NumPy.
+  if (letter == "O" && shape.size() >= 2 && nb::len(elements) >= shape.back() &&
+      is_point(elements[nb::slice(std::size_t{0}, shape.back())])) {
+    return operands_of(array.attr("tolist")(), reading);
+  }
   if (letter == "O" && all_of_shapely(nb::borrow<nb::list>(elements))) {
     elements = wkb_of_shapely(array.attr("ravel")()).attr("tolist")();
   }
@@ -148,6 +153,18 @@ Operands elements_of(nb::handle array, Reading reading) {
   } catch (const ElementError& error) {
     throw ElementError{error.error, place_in(shape, error.index.front()), error.operand};
   }
+}
+
+/// Gives elements the number of the reference system that a column of GeoPandas has.
+Operands with_srid(Operands operands, nb::handle column) {
+  const nb::object system = attribute(column, "crs");
+  if (!system.is_valid() || system.is_none()) return operands;
+  const nb::object number = system.attr("to_epsg")();
+  if (number.is_none()) return operands;
+  for (const ShapePtr& item : operands.array.items) {
+    if (item && item->srid == 0) item->srid = nb::cast<std::int32_t>(number);
+  }
+  return operands;
 }
 
 ShapePtr shape_of_text(nb::handle object, bool drop_z) {
@@ -225,7 +242,7 @@ Operands operands_of(nb::handle object, Reading reading) {
   if (is_text(object)) return single(shape_of_text(object, drop_z));
   if (is_of(object, "shapely")) return single(shape_of_shapely(object, drop_z));
   if (is_of(object, "geopandas") && nb::hasattr(object, "to_numpy")) {
-    return elements_of(object.attr("to_numpy")(), reading);
+    return with_srid(elements_of(object.attr("to_numpy")(), reading), object);
   }
   if (is_of(object, "numpy.ma")) throw nb::type_error("masked arrays are not read: fill them");
   if (nb::hasattr(object, "dtype") && nb::hasattr(object, "ravel")) {

@@ -72,7 +72,7 @@ def test_layouts_of_wkb(kind):
 
 @pytest.mark.parametrize("interleaved", [True, False])
 @pytest.mark.parametrize("wkt", [
-    "POINT (1 2)", "LINESTRING (0 0, 1 2, 3 3)", "MULTIPOINT ((0 0), (1 2))",
+    "POINT (1 2)", "POINT EMPTY", "LINESTRING (0 0, 1 2, 3 3)", "MULTIPOINT ((0 0), (1 2))",
     "MULTILINESTRING ((0 0, 1 2), (5 5, 6 7, 8 8))", "POLYGON ((0 0, 4 0, 0 4, 0 0))",
     "MULTIPOLYGON (((0 0, 4 0, 0 4, 0 0)), ((9 9, 10 9, 9 10, 9 9)))"])
 def test_types_of_geoarrow(wkt, interleaved):

@@ -74,7 +74,7 @@ def operands():
             yield f"{type} {shape}", np.ones(shape, type), kind, re.escape(str(shape)), {}
     for type in ("c16", "M8[s]", "m8[s]"):
         yield type, np.zeros((3, 2), type), kind, "element 0", {}
-    yield "objects", np.array([[0, 0], [1, 0]], object), kind, "element 0, 0|element 0: ", {}
+    yield "objects", np.array([[0, 0], [1, {}]], object), kind, "number|vertex 1", {}
     itself = np.empty((), object)
     itself[()] = itself
     yield "array in itself", itself, kind, "not an array", {}

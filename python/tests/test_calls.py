@@ -214,6 +214,36 @@ def test_fewer_threads_than_asked_for():
     """, before="ulimit -s 1048576; export OPENBLAS_NUM_THREADS=1; ")
 
 
+@pytest.mark.parametrize("progress", ["None", "lambda stage: None"])
+def test_a_process_ends_while_its_threads_compute(progress):
+    run_alone(f"""
+        import threading, time
+        import minksum as mk
+        p, q = mk.disc(5, "1e-6"), mk.disc(3, "1e-6")
+        def work():
+            while True:
+                mk.minkowski_sum(p, q, progress={progress})
+        for i in range(3):
+            threading.Thread(target=work, daemon=True).start()
+        time.sleep(0.5)
+    """)
+
+
+def test_progress_may_answer_with_any_truth():
+    p, q = mk.disc(5, "1e-3"), mk.disc(3, "1e-3")
+    assert mk.minkowski_sum(p, q, progress=lambda stage: np.True_).area > 0
+    with pytest.raises(mk.CancelledError):
+        mk.minkowski_sum(p, q, progress=lambda stage: np.False_)
+
+
+def test_elements_one_after_another():
+    array = mk.as_geometry([SQUARE, None, mk.box(0, 0, 2, 1)])
+    assert list(array) == [array[0], None, array[-1]] and array[np.int64(2)] == array[2]
+    for index in (3, -4):
+        with pytest.raises(IndexError):
+            array[index]
+
+
 def test_a_geometry_that_is_not_made():
     with pytest.raises(TypeError, match="not made"):
         mk.offset(mk.Geometry.__new__(mk.Geometry), 1)

@@ -135,6 +135,53 @@ def test_reference_systems():
         mk.minkowski_sum(a, shapely.set_srid(shapely.box(0, 0, 1, 1), 4326))
 
 
+    import geopandas
+
+    columns = [geopandas.GeoSeries([shapely.box(0, 0, 1, 1)], crs=crs) for crs in (25832, 3857)]
+    with pytest.raises(mk.BadInputError, match="25832 and 3857"):
+        mk.minkowski_sum(*columns)
+
+
+def test_shapely_with_details_and_names():
+    import geopandas
+
+    from minksum import shapely as ms
+
+    series = geopandas.GeoSeries([shapely.box(0, 0, 3, 1)], index=[5], crs=25832)
+    part = shapely.box(0, 0, 1, 1)
+    total, places, counts = ms.minkowski_sum(b=part, a=series, tight=True, return_stats=True)
+    assert total.crs == places.crs == series.crs and list(total.index) == [5]
+    assert total[5].equals(shapely.box(0, 0, 4, 2)) and counts[0]["small"] in (True, False)
+    total, counts = ms.minkowski_sum(part, part, return_stats=True)
+    assert total.equals(shapely.box(0, 0, 2, 2)) and "loops" in counts
+
+
+def test_numbers_of_numpy():
+    assert mk.scale(mk.box(0, 0, 1, 1), np.int64(2), np.float32(0.5)) == mk.box(0, 0, 2, "1/2")
+    assert mk.scale(mk.box(0, 0, 1, 1), 3, 3, origin=np.array([1, 1])) == mk.box(-2, -2, 1, 1)
+    assert mk.rotate(mk.box(0, 0, 1, 1), np.int32(90), origin=np.array([0.5, 0.5])) == mk.resolve(mk.box(0, 0, 1, 1))
+
+
+def test_arrays_of_exact_pairs():
+    pairs = [(Fraction(1, 3), 0), (1, 0), (0, "1/7")]
+    ring = mk.as_geometry(pairs)
+    assert mk.as_geometry(np.array(pairs, dtype=object)) == ring
+    assert list(mk.as_geometry(np.array([pairs, pairs], dtype=object))) == [ring, ring]
+
+
+def test_areas_count_each_point_once():
+    for wkt, area in (("POLYGON ((0 0, 2 0, 0 2, 2 2, 0 0))", 2),
+                      ("MULTIPOLYGON (((0 0, 2 0, 2 2, 0 0)), ((0 0, 2 0, 2 2, 0 0)))", 2)):
+        assert mk.from_wkt(wkt).area == mk.area(wkt) == mk.area(wkt, exact=True) == area
+
+
+def test_drawings_in_other_encodings(tmp_path):
+    svg = tmp_path / "a.svg"
+    head = '<?xml version="1.0" encoding="ISO-8859-1"?><svg xmlns="http://www.w3.org/2000/svg">'
+    svg.write_bytes((head + '<g id="\u00df"><path d="M0 0H2V2Z"/></g></svg>').encode("latin-1"))
+    assert mk.io.read_svg(svg).area == 2
+
+
 def test_how_a_geometry_is_shown():
     triangle = mk.from_wkt(TRIANGLE)
     assert str(triangle) == TRIANGLE
