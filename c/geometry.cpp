@@ -62,12 +62,26 @@ minksum_status tell_exception(minksum_error* error) {
 
 namespace {
 
-std::vector<Point> points_of(const double* xy, std::size_t n) {
+/// Returns the coordinates of n points.
+std::span<const double> numbers_of(const double* xy, std::uint64_t n) {
   require(xy != nullptr || n == 0, "there are points, and no array of coordinates");
-  std::vector<Point> points;
   require(n <= PTRDIFF_MAX / (2 * sizeof(double)), "more points than an array can have");
+  return {xy, 2 * static_cast<std::size_t>(n)};
+}
+
+std::vector<Point> points_of(const double* xy, std::size_t n) {
+  const std::span<const double> numbers = numbers_of(xy, n);
+  std::vector<Point> points;
   points.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) points.push_back({xy[2 * i], xy[2 * i + 1]});
+  for (std::size_t i = 0; i < n; ++i) {
+    try {
+      points.push_back({numbers[2 * i], numbers[2 * i + 1]});
+    } catch (const Error& error) {
+      Culprit culprit;
+      culprit.vertex = i;
+      throw Error(error.code(), error.what(), culprit);
+    }
+  }
   return points;
 }
 
@@ -97,10 +111,10 @@ minksum_status minksum_geometry_empty(minksum_geometry** result, minksum_error* 
 minksum_status minksum_geometry_polygon(const double* xy, size_t n, minksum_geometry** result,
                                         minksum_error* error) {
   return made(result, error, [&] {
-    require(xy != nullptr || n == 0, "there are points, and no array of coordinates");
+    const std::span<const double> numbers = numbers_of(xy, n);
     const std::int64_t ring[] = {0, static_cast<std::int64_t>(n)};
     const std::int64_t polygon[] = {0, 1};
-    return Geometry(Region::from_flat({xy, 2 * n}, ring, polygon));
+    return Geometry(Region::from_flat(numbers, ring, polygon));
   });
 }
 
@@ -111,9 +125,8 @@ minksum_status minksum_geometry_polygons(const double* xy, const int64_t* ring_o
   return made(result, error, [&] {
     require(ring_offsets != nullptr && polygon_offsets != nullptr, "an array of offsets is NULL");
     const std::int64_t points = ring_offsets[rings];
-    require(points >= 0 && (xy != nullptr || points == 0),
-            "there are points, and no array of coordinates");
-    return Geometry(Region::from_flat({xy, 2 * static_cast<std::size_t>(points)},
+    require(points >= 0, "the last offset of a ring is negative");
+    return Geometry(Region::from_flat(numbers_of(xy, static_cast<std::uint64_t>(points)),
                                       {ring_offsets, rings + 1}, {polygon_offsets, polygons + 1}));
   });
 }
@@ -255,8 +268,8 @@ minksum_status minksum_write(const minksum_geometry* geometry, minksum_format fo
                              minksum_style style, int digits, char** text, size_t* length,
                              minksum_error* error) {
   return guarded(error, [&] {
-    char*& result = result_at(text);
     if (length != nullptr) *length = 0;
+    char*& result = result_at(text);
     // In the order of minksum_format, whose last value is named below.
     constexpr io::Format kFormats[] = {io::Format::kWkt, io::Format::kGeoJson, io::Format::kPoly,
                                        io::Format::kSvg, io::Format::kWkb,     io::Format::kHexWkb};

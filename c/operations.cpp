@@ -179,9 +179,9 @@ minksum_status minksum_area(const Handle* geometry, double* area, minksum_error*
 minksum_status minksum_bounding_box(const Handle* geometry, double box[4], int* found,
                                     minksum_error* error) {
   return guarded(error, [&] {
+    if (box != nullptr) std::fill_n(box, 4, 0.0);
     int& is_there = result_at(found);
     require(box != nullptr, "the result has nowhere to go");
-    std::fill_n(box, 4, 0.0);
     const auto exact = bounding_box(value_of(geometry).region);
     is_there = exact ? 1 : 0;
     const Box sides = exact.value_or(Box{});
@@ -231,8 +231,9 @@ minksum_status minksum_time_of_impact(const Handle* a, const Handle* b, const do
                                       const minksum_options* options, double* factor, int* found,
                                       minksum_error* error) {
   return guarded(error, [&] {
-    double& answer = result_at(factor);
+    if (factor != nullptr) *factor = 0;
     int& is_there = result_at(found);
+    double& answer = result_at(factor);
     const auto time = impact(a, b, direction, options);
     if (!time) return;
     is_there = 1;

@@ -70,6 +70,8 @@ static void test_geometries(void) {
   const int64_t polygons[] = {0, 2};
   const int64_t bad[] = {0, 7, 6};
   const double path[] = {10, 10, 12, 10.5};
+  const double no_number[] = {1, 2, 3, NAN};
+  const int64_t negative[] = {0, -1};
   double xy[12];
   int64_t ring_offsets[3];
   int64_t polygon_offsets[2];
@@ -102,6 +104,13 @@ static void test_geometries(void) {
   EXPECT(minksum_geometry_get_points(copy, xy, &error) == MINKSUM_OK);
   EXPECT(minksum_geometry_get_points(copy, NULL, &error) == MINKSUM_BAD_INPUT);
   EXPECT(minksum_geometry_add_points(copy, xy, SIZE_MAX, &error) == MINKSUM_BAD_INPUT);
+  EXPECT(minksum_geometry_polygon(xy, SIZE_MAX / 2, &out, &error) == MINKSUM_BAD_INPUT);
+  EXPECT(strstr(error.message, "more points") != NULL && out == NULL);
+  EXPECT(minksum_geometry_polygons(xy, negative, 1, polygons, 1, &out, &error) ==
+         MINKSUM_BAD_INPUT);
+  EXPECT(strstr(error.message, "negative") != NULL);
+  EXPECT(minksum_geometry_add_points(copy, no_number, 2, &error) == MINKSUM_BAD_INPUT);
+  EXPECT(error.vertex == 1);
   EXPECT(minksum_geometry_counts(NULL).points == 0 && !minksum_geometry_equal(copy, NULL));
   EXPECT(xy[0] == 10 && xy[1] == 10);
   minksum_geometry_free(copy);
