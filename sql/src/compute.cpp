@@ -70,8 +70,8 @@ Rational finite(double number, const char* argument) {
 
 /// Returns a number that was given as float8 or as text.
 Rational first_number(const mink_request& request, const char* argument) {
-  return request.text && request.exact.size != 0 ? exactly(request.exact, argument)
-                                                 : finite(request.numbers[0], argument);
+  return request.text && request.exact.data != nullptr ? exactly(request.exact, argument)
+                                                       : finite(request.numbers[0], argument);
 }
 
 OffsetOptions shape_of(const mink_request& request) {
@@ -159,6 +159,11 @@ Geometry set_of(mink_state& state, const mink_request& request, const Options& o
   }
 }
 
+double in_range(double number) {
+  if (std::isfinite(number)) return number;
+  throw Error(ErrorCode::kLimitExceeded, "an answer is beyond the range of doubles");
+}
+
 mink_status depth_of(mink_state& state, const mink_request& request, mink_answer& answer,
                      const Options& options) {
   const Operand& a = operand(state, request, 0, options);
@@ -166,9 +171,9 @@ mink_status depth_of(mink_state& state, const mink_request& request, mink_answer
   const auto depth = penetration_depth(a.geometry, b.geometry, options);
   if (!depth) return MINK_NULL;
   answer.truth = depth->overlapping;
-  answer.numbers[0] = depth->distance;
-  answer.numbers[1] = depth->vector.x.to_double();
-  answer.numbers[2] = depth->vector.y.to_double();
+  answer.numbers[0] = in_range(depth->distance);
+  answer.numbers[1] = in_range(depth->vector.x.to_double());
+  answer.numbers[2] = in_range(depth->vector.y.to_double());
   state.exact = depth->squared.to_string();
   answer.exact = {state.exact.data(), state.exact.size()};
   return MINK_OK;
@@ -181,7 +186,7 @@ mink_status impact_of(mink_state& state, const mink_request& request, mink_answe
   const Point direction{finite(request.numbers[0], "dx"), finite(request.numbers[1], "dy")};
   const auto time = time_of_impact(a.geometry, b.geometry, direction, options);
   if (!time) return MINK_NULL;
-  answer.numbers[0] = time->to_double();
+  answer.numbers[0] = in_range(time->to_double());
   return MINK_OK;
 }
 

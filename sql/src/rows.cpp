@@ -48,15 +48,17 @@ mink_status mink_begin_slices(mink_state* state, const mink_request* request, ui
     const Operand& obstacles = operand(*state, *request, 1, state->options);
     state->space.emplace(robot.geometry, obstacles.geometry, minksum::ConfigurationOptions{},
                          state->options);
-    state->turns = minksum::full_turn(static_cast<std::size_t>(request->whole));
-    *count = state->turns.size();
+    *count = static_cast<std::uint64_t>(request->whole);
+    state->step = minksum::Rational(360) / minksum::Rational(request->whole);
     return MINK_OK;
   });
 }
 
 mink_status mink_slice(mink_state* state, uint64_t row, mink_answer* answer, mink_error* error) {
   return guarded(error, [&] {
-    const minksum::Slice slice = state->space->slice(state->turns.at(row), state->with_free);
+    const minksum::Rational angle = minksum::Rational(static_cast<std::int64_t>(row)) * state->step;
+    const minksum::Slice slice =
+        state->space->slice(minksum::nearest_turn(angle), state->with_free);
     answer->whole[0] = static_cast<int>(row);
     answer->numbers[0] = slice.turn.degrees;
     answer->sets[0] = write(*state, slice.obstacles, false, state->target, state->options);

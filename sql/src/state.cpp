@@ -76,7 +76,7 @@ Refusal unreadable(const io::ReadError& error, std::string_view bytes, bool text
     refusal.message = message.substr(0, message.find(" (io::"));
     refusal.hint = "Drop heights and measures with ST_Force2D.";
   } else if (message.find("is not supported") != std::string::npos) {
-    refusal.hint = "Make polygons of curves with ST_CurveToLine, and of surfaces with ST_Force2D.";
+    refusal.hint = "Make polygons of curves with ST_CurveToLine. Surfaces are not read.";
   } else if (message.find("not a finite number") == std::string::npos) {
     refusal.status = text ? MINK_BAD_TEXT : MINK_BAD_BYTES;
   }
@@ -143,6 +143,10 @@ std::pair<Geometry, std::optional<std::int32_t>> read(mink_bytes bytes, bool tex
     throw Refusal{MINK_BAD_BYTES,
                   "expected WKB, which has 5 bytes or more and begins with the byte 0 or 1", place,
                   "Make WKB with ST_AsEWKB, or use the functions of text for WKT."};
+  }
+  if (!text && io::detect_format(given) != io::Format::kWkb) {
+    throw Refusal{MINK_BAD_BYTES, "the code in bytes 2 to 5 names no type of geometry", place,
+                  "Make WKB with ST_AsEWKB."};
   }
   if (text && io::detect_format(given) != io::Format::kWkt) {
     throw Refusal{MINK_BAD_TEXT, "expected WKT", place, "Make WKT with ST_AsText."};

@@ -53,7 +53,7 @@ struct mink_state {
   minksum::RoundOptions target;
   bool with_free = false;
   std::optional<minksum::ConfigurationSpace> space;
-  std::vector<minksum::Turn> turns;
+  minksum::Rational step;  ///< between slices, in degrees
   std::optional<minksum::NoFitTable> table;
   minksum::Options options;
 
@@ -66,7 +66,7 @@ namespace minksum::sql {
 /// Returns the choice that a word names. Without a word it is the first one.
 template <class Choice>
 Choice choose(mink_bytes word, const char* argument, std::initializer_list<Choice> choices) {
-  if (word.size == 0) return *choices.begin();
+  if (word.data == nullptr) return *choices.begin();
   std::string names;
   for (const Choice choice : choices) {
     if (view(word) == to_string(choice)) return choice;

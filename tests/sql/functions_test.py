@@ -151,6 +151,9 @@ class Functions(DatabaseTest):
             self.assertNotEqual(row.split("|")[3], "")
         self.assertEqual(self.ask(f"SELECT count(*), count(free) FROM mink_slices({geometry(DISC)}"
                                   f", {geometry(P)}, 5)"), "5|0")
+        # None is made before it is asked for.
+        self.assertEqual(self.ask(f"SELECT (mink_slices({geometry(DISC)}::bytea, {geometry(P)}::bytea, "
+                                  "2000000000)).degrees LIMIT 1"), "0")
         self.refused(f"SELECT * FROM mink_slices({geometry(DISC)}, {geometry(P)}, 0)", "22023",
                      "angles must be positive")
 

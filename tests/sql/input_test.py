@@ -73,7 +73,19 @@ class Input(DatabaseTest):
                      "GEOMETRYCOLLECTION (CIRCULARSTRING (0 0, 1 1, 2 0))"]:
             self.refused(binary("sum", text, SQUARE), "22023", "is not supported", "operand 1",
                          "ST_CurveToLine")
-        self.refused(binary("sum", SQUARE, "TIN (((0 0, 1 0, 0 1, 0 0)))"), "22023", "TIN")
+        self.refused(binary("sum", SQUARE, "TIN (((0 0, 1 0, 0 1, 0 0)))"), "22023", "TIN",
+                     "Surfaces are not read")
+
+    def test_words_and_numbers_that_are_empty(self):
+        for call in [f"mink_resolve_text('{SQUARE}', '')", f"mink_resolve({geometry(SQUARE)}, '')",
+                     f"mink_offset({geometry(SQUARE)}, 1, '')"]:
+            self.refused(f"SELECT {call}", "22023", 'has no value ""')
+        self.refused(f"SELECT mink_offset_text('{SQUARE}', '')", "22P02", "distance is not a number")
+
+    def test_answers_beyond_the_doubles(self):
+        ends = "'POINT(-1.5e308 0)'::geometry, 'POINT(1.5e308 0)'::geometry"
+        self.refused(f"SELECT mink_depth({ends})", "54000", "beyond the range of doubles")
+        self.refused(f"SELECT mink_impact({ends}, -1e-300, 0)", "54000", "range of doubles")
 
     def test_numbers_that_are_not_finite(self):
         self.refused("SELECT mink_sum(ST_MakePoint('inf', 0), ST_MakePoint(1, 1))", "22023",
@@ -86,7 +98,8 @@ class Input(DatabaseTest):
             self.refused(f"SELECT mink_resolve('\\x{whole[:length]}'::bytea)", "22P03", "operand 1")
         # Counts beyond the end do not reserve memory.
         self.refused("SELECT mink_resolve('\\x0103000000ffffffff'::bytea)", "22P03")
-        self.refused("SELECT mink_resolve('\\x01630000000000'::bytea)", "22P03")
+        for code in ("0112000000", "0163000000", "0100000000"):
+            self.refused(f"SELECT mink_resolve('\\x{code}00000000'::bytea)", "22P03", "bytes 2 to 5")
         self.refused("SELECT mink_resolve('{}'::bytea)", "22P03", "ST_AsEWKB")
 
     def test_broken_text(self):
