@@ -18,6 +18,10 @@ namespace minksum {
 class MINKSUM_API CancelToken {
  public:
   CancelToken() : state_(std::make_shared<State>()) {}
+  /// Copies share the state, and so does a token with what was moved from it.
+  CancelToken(const CancelToken&) = default;
+  CancelToken& operator=(const CancelToken&) = default;
+  ~CancelToken() = default;
   /// Returns a token that asks `stop` whenever an operation looks at the token, until `stop`
   /// returns true once. It serves hosts that must be asked, such as the interpreter of another
   /// language. The computing threads call `stop`, several at a time if an operation has several.

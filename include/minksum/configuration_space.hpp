@@ -86,6 +86,11 @@ class MINKSUM_API ConfigurationSpace {
   ConfigurationSpace(const Geometry& robot, const Geometry& obstacles,
                      const ConfigurationOptions& setting = {}, const Options& options = {});
 
+  /// Copies share the state, and so does an object with what was moved from it.
+  ConfigurationSpace(const ConfigurationSpace&) = default;
+  ConfigurationSpace& operator=(const ConfigurationSpace&) = default;
+  ~ConfigurationSpace() = default;
+
   /// Returns the box of (x, y) to which free space is confined. With a workspace, it is the
   /// workspace's box, larger by the robot's radius. Otherwise it is the obstacles' box, larger by
   /// twice the radius, so that the robot can go all around. All obstacles of such slices are

@@ -27,6 +27,10 @@ class MINKSUM_API PointLocator {
   /// Prepares a geometry, which must be resolved. O(n log n) time and memory for n vertices. Throws
   /// Error(kCancelled).
   explicit PointLocator(const Geometry& geometry, const Options& options = {});
+  /// Copies share the state, and so does an object with what was moved from it.
+  PointLocator(const PointLocator&) = default;
+  PointLocator& operator=(const PointLocator&) = default;
+  ~PointLocator() = default;
 
   /// Returns exactly where the point lies. O(log² n).
   [[nodiscard]] Location locate(const Point& point) const;

@@ -82,6 +82,10 @@ class MINKSUM_API NoFitTable {
   /// index as the operand, for a part without area, and by kStrict for one that is not valid.
   /// Otherwise throws as minkowski_sum does.
   explicit NoFitTable(std::span<const Geometry> parts, int turns = 4, const Options& options = {});
+  /// Copies share the state, and so does an object with what was moved from it.
+  NoFitTable(const NoFitTable&) = default;
+  NoFitTable& operator=(const NoFitTable&) = default;
+  ~NoFitTable() = default;
 
   [[nodiscard]] std::size_t size() const;  ///< the number of parts
   [[nodiscard]] int turns() const;         ///< the number of directions in which parts are laid

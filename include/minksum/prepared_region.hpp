@@ -21,6 +21,10 @@ class MINKSUM_API PreparedRegion {
   /// kBadInput if `region` is not valid (see `validate`), whose culprit has polygon, ring and
   /// vertex, but no operand; kLimitExceeded as `validate` does; kCancelled.
   explicit PreparedRegion(Region region, const Options& options = {});
+  /// Copies share the state, and so does an object with what was moved from it.
+  PreparedRegion(const PreparedRegion&) = default;
+  PreparedRegion& operator=(const PreparedRegion&) = default;
+  ~PreparedRegion() = default;
 
   /// Returns the operand as it was given.
   [[nodiscard]] const Region& region() const;

@@ -29,6 +29,7 @@ struct HalfBox {
     for (const Polyline& polyline : geometry.polylines) include(polyline);
     include(geometry.points);
   }
+  [[nodiscard]] bool is_empty() const { return max_x < min_x; }
   [[nodiscard]] bool is_finite() const {
     return std::isfinite(min_x) && std::isfinite(min_y) && std::isfinite(max_x) &&
            std::isfinite(max_y);
@@ -53,8 +54,8 @@ struct View {
   double height = kFrame;
 
   explicit View(const GeometryView& geometry) {
-    if (geometry.kinds() == 0) return;
     const HalfBox box(geometry);
+    if (box.is_empty()) return;
     if (!box.is_finite()) {
       throw Error(ErrorCode::kLimitExceeded,
                   "no picture: a coordinate is beyond the range of doubles", {}, {},

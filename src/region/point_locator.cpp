@@ -65,6 +65,7 @@ struct PointLocator::State {
     const Region& region = geometry.region;
     for (const std::size_t polygon : region.polygons()) {
       for (const std::size_t ring : region.rings_of(polygon)) {
+        if (region.vertices_of(ring).empty()) continue;
         const auto first = static_cast<std::uint32_t>(places.size());
         for (const std::size_t v : region.vertices_of(ring)) add_place(region.point(v));
         add_path(first, true, edges);

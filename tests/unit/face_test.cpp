@@ -183,5 +183,19 @@ TEST(Face, ErrorsNameTheLimitThatWasPassed) {
   EXPECT_EQ(outcome.error->limit()->value, 2U);
 }
 
+TEST(Face, WhatIsMovedFromIsStillGood) {
+  CancelToken token;
+  Options options;
+  options.cancel = std::move(token);
+  token.cancel();  // NOLINT(bugprone-use-after-move)
+  EXPECT_TRUE(options.cancel->cancelled());
+  PreparedRegion first(Region{kTriangle});
+  const PreparedRegion second = std::move(first);
+  EXPECT_EQ(minkowski_sum(first, second), minkowski_sum(second, second));  // NOLINT
+  PointLocator locator{Geometry(Region{kTriangle})};
+  const PointLocator other = std::move(locator);
+  EXPECT_EQ(locator.locate({0, 0}), other.locate({0, 0}));  // NOLINT
+}
+
 }  // namespace
 }  // namespace minksum

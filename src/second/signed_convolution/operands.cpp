@@ -106,7 +106,7 @@ std::vector<Part> make_parts(const Region& region, Cancellation& cancellation) {
     for (const std::size_t ring : region.rings_of(polygon)) {
       part.push_back(make_ring(region, ring, !part.empty(), cancellation));
     }
-    if (part.empty()) broken("an operand has a polygon without rings");
+    if (part.empty()) parts.pop_back();
   }
   return parts;
 }

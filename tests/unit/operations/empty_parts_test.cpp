@@ -127,5 +127,30 @@ TEST(EmptyParts, EveryOperationTakesThem) {
   });
 }
 
+TEST(EmptyParts, RingsWithoutVerticesHaveNoPlaces) {
+  Region region;
+  region.begin_polygon();
+  region.begin_ring();
+  EXPECT_EQ(validate(region).size(), 1U);
+  region.begin_ring();
+  for (const Point& p : {Point{0, 0}, Point{1, 0}, Point{0, 1}}) region.add_vertex(p.x, p.y);
+  EXPECT_EQ(PointLocator(region).locate({5, 5}), Location::kOutside);
+}
+
+TEST(EmptyParts, APolygonWithoutRingsIsNothingByEachMethod) {
+  Region region = rectangle(0, 0, 4, 4);
+  region.begin_polygon();
+  ASSERT_TRUE(validate(region).empty());
+  for (const Method method : {Method::kReduced, Method::kSigned}) {
+    SumSettings settings;
+    settings.method = method;
+    EXPECT_EQ(minkowski_sum(region, rectangle(0, 0, 1, 1), settings), rectangle(0, 0, 5, 5));
+  }
+}
+
+TEST(EmptyParts, APolylineWithoutVerticesHasAPicture) {
+  EXPECT_NE(io::to_text(Geometry({}, {{}}, {}), io::Format::kSvg).find("</svg>"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace minksum
