@@ -1,4 +1,4 @@
-// Checks what callers give, which WebAssembly and JavaScript would change without a word.
+// Checks what callers give, which WebAssembly would change without a word.
 import { badInput, MinksumError } from "./errors.js";
 
 /** The options of all operations. */
@@ -30,12 +30,11 @@ export function checkOptions(options: unknown): void {
   if (typeof options !== "object" || options === null) {
     throw badInput("options are no object");
   }
-  for (const name of Object.keys(options)) {
+  for (const [name, value] of Object.entries(options)) {
     if (!kOptions.has(name)) throw badInput(`there is no option \`${name}\``);
-    const value = (options as Record<string, unknown>)[name];
     if (value === undefined) continue;
     const known = kValues[name];
-    if (known !== undefined && !known.includes(value)) {
+    if (known?.includes(value) === false) {
       throw badInput(`\`${name}\` is ${shown(value)}, and none of ${known.join(", ")}`);
     }
     if (name === "progress" && typeof value !== "function") {
@@ -58,7 +57,7 @@ export function count(value: unknown, name: string, most = 2 ** 31 - 1): number 
   throw badInput(`\`${name}\` is no integer from 0 to ${most}, but ${shown(value)}`);
 }
 
-/** Returns a list of finite numbers: of so many, if that is told. */
+/** Returns a list of finite numbers. */
 export function numbers(list: unknown, name: string, length?: number): ArrayLike<number> {
   if (!Array.isArray(list) && !(ArrayBuffer.isView(list) && "length" in list)) {
     throw badInput(`\`${name}\` is no array of numbers`);
@@ -71,14 +70,14 @@ export function numbers(list: unknown, name: string, length?: number): ArrayLike
   return given;
 }
 
-/** Returns a list of numbers in which x and y follow each other. */
+/** Returns a list of x and y. */
 export function points(list: unknown): ArrayLike<number> {
   const given = numbers(list, "points");
   if (given.length % 2 !== 0) throw badInput("`points` ends with an x that has no y");
   return given;
 }
 
-/** Returns numbers of an answer. Answers that no doubles can hold are exact only. */
+/** Returns numbers of an answer, which doubles must be able to hold. */
 export function inRange<T extends ArrayLike<number>>(answer: T): T {
   for (let i = 0; i < answer.length; ++i) {
     if (!Number.isFinite(answer[i])) {

@@ -217,7 +217,7 @@ export class Operands {
     this.checkOffsets(flat.lineCoords ?? [], flat.lines ?? [0], "lines", 2, index);
     const { points = [] } = flat;
     if (typeof points !== "object" || !(points.length % 2 === 0)) {
-      throw badInput("`points` is no array in which x and y follow each other", { operand: index });
+      throw badInput("`points` is no array of pairs", { operand: index });
     }
     return hasOthers(flat.coords) || hasOthers(flat.lineCoords) || hasOthers(flat.points)
       ? this.read(encoder.encode(this.text(flat, index)), index, options)
