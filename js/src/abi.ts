@@ -93,10 +93,6 @@ export class Library {
   /** Tells the listener of progress. Returns 0 if the operation shall go on. */
   private tell(stage: number, done: number, parts: number): number {
     const { listener } = this;
-    // It may call the library, which leaves its own answers where those of this call will be read.
-    const places: [Address, number][] =
-      [[this.error, kError], [this.results, kResults], [this.options, kOptions]];
-    const kept = places.map(([at, size]) => this.u8.slice(at, at + size));
     try {
       return listener?.({ stage: progressStages[stage]!, done, parts }) === false ? 1 : 0;
     } catch (error) {
@@ -104,8 +100,7 @@ export class Library {
       this.thrown = { error };
       return 1;
     } finally {
-      this.listener = listener;
-      places.forEach(([at], i) => this.u8.set(kept[i]!, at));
+      this.listener = listener; // it may have called the library
     }
   }
 

@@ -85,9 +85,7 @@ export class Doubles {
 }
 
 function every(list: any, take: (value: any) => boolean): boolean {
-  if (!Array.isArray(list)) return false;
-  for (let i = 0; i < list.length; ++i) if (!take(list[i])) return false; // with places left out
-  return true;
+  return Array.isArray(list) && list.every(take);
 }
 
 /** Writes positions to `xy` from index `at` on. Returns the index behind the last; -1 if a position

@@ -1,7 +1,6 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 // All operations: each puts its operands into memory, calls the library, and takes the result out.
 import type { Address, Library } from "./abi.js";
-import { checkOptions, count, finite, inRange, numbers, points as pointsOf } from "./arguments.js";
 import { badInput, type MinksumError } from "./errors.js";
 import { Operands } from "./operands.js";
 import { Results } from "./results.js";
@@ -92,15 +91,12 @@ export class NoFitTable extends Handle {
   ): Address {
     if (this.disposed) throw badInput("the table was disposed of");
     const { library } = this.mk;
-    checkOptions(options);
     for (const part of [fixed, moving]) {
-      if (!(Number.isInteger(part) && part >= 0 && part < this.size)) {
-        throw badInput(`there is no part ${part}`);
-      }
+      if (!(Number.isInteger(part) && part >= 0)) throw badInput(`there is no part ${part}`);
     }
     return this.mk.made("minksum_no_fit_table_at", [
-      this.table, fixed, count(options.fixedTurn ?? 0, "fixedTurn"),
-      moving, count(options.movingTurn ?? 0, "movingTurn"), library.results, library.error,
+      this.table, fixed, options.fixedTurn ?? 0, moving, options.movingTurn ?? 0,
+      library.results, library.error,
     ]);
   }
 }
@@ -159,9 +155,9 @@ export class Minksum {
         library.u32[at] = indexOf(kJoins, options.join ?? "round", "join");
         library.u32[at + 1] = indexOf(kCaps, options.cap ?? "round", "cap");
         library.u32[at + 2] = indexOf(kSides, options.side ?? "nearest", "side");
-        library.f64[shape / 8 + 2] = finite(options.miterLimit ?? 2, "miterLimit");
-        library.f64[shape / 8 + 3] = finite(options.tolerance ?? 0, "tolerance");
-        return this.take("minksum_offset", [address!, finite(distance, "distance"), shape], options);
+        library.f64[shape / 8 + 2] = options.miterLimit ?? 2;
+        library.f64[shape / 8 + 3] = options.tolerance ?? 0;
+        return this.take("minksum_offset", [address!, distance, shape], options);
       }),
     );
   }
@@ -169,11 +165,9 @@ export class Minksum {
   disc<O extends Options = {}>(
     radius: number, tolerance: number, options: O & { side?: Side } = {} as O,
   ): ResultOf<O> {
-    checkOptions(options);
     const side = indexOf(kSides, options.side ?? "nearest", "side");
     const { results, error } = this.library;
-    const given = [finite(radius, "radius"), finite(tolerance, "tolerance"), side, results, error];
-    return this.results.take(this.made("minksum_disc", given), options);
+    return this.results.take(this.made("minksum_disc", [radius, tolerance, side, results, error]), options);
   }
 
   // -- Placing parts -------------------------------------------------------------------------------
@@ -206,9 +200,7 @@ export class Minksum {
   noFitTable(parts: Operand[], options: TableOptions = {}): NoFitTable {
     const { library } = this;
     const { call, results, error } = library;
-    checkOptions(options);
-    const turns = count(options.turns ?? 4, "turns");
-    if (!Array.isArray(parts)) throw badInput("`parts` is no array of operands");
+    const turns = options.turns ?? 4;
     return this.operands.with(parts, options, (addresses) => {
       const table = library.withRoom(4 * addresses.length, (list) => {
         library.u32.set(addresses, list >>> 2);
@@ -229,9 +221,8 @@ export class Minksum {
       const { results, error, call } = library;
       library.check(call["minksum_penetration_depth"]!(first!, second!, how, results, error));
       const overlapping = library.u32[(results >>> 2) + 1] === 1;
-      const told = library.f64.slice(results / 8 + 1, results / 8 + 4);
+      const [x, y, distance] = library.f64.slice(results / 8 + 1, results / 8 + 4);
       if (library.u32[results >>> 2] === 0) return null;
-      const [x, y, distance] = inRange(told);
       const point = this.made("minksum_depth_vector", [first!, second!, how, results, error]);
       const { points } = this.results.take(point, { as: "flat", coords: "exact" });
       const exact: [string, string] = [points[0]!, points[1]!];
@@ -245,7 +236,7 @@ export class Minksum {
     const { library } = this;
     return this.operands.with([a, b], options, ([first, second]) =>
       library.withRoom(16, (where) => {
-        library.f64.set(numbers(direction, "direction", 2), where / 8);
+        library.f64.set(direction, where / 8);
         const { results, error } = library;
         const how = this.writeOptions(options);
         const made = this.made("minksum_impact_factor", [first!, second!, where, how, results, error]);
@@ -265,7 +256,6 @@ export class Minksum {
   ): Slice<ResultOf<O>>[] {
     const { library } = this;
     const { call, results, error } = library;
-    numbers(angles, "angles");
     return this.withSpace(robot, obstacles, options, (first, second, space) => {
       const { progress } = options;
       let done = 0;
@@ -300,12 +290,10 @@ export class Minksum {
     const { call, results, error } = library;
     return this.withSpace(robot, obstacles, options, (first, second, space) =>
       library.withRoom(48, (ends) => {
-        const both = [from, to].flatMap((end) => [
-          finite(end?.x, "x"), finite(end?.y, "y"), finite(end?.degrees, "degrees"),
-        ]);
-        library.f64.set(both, ends / 8);
+        const numbers = [from.x, from.y, from.degrees, to.x, to.y, to.degrees];
+        library.f64.set(numbers, ends / 8);
         const status = call["minksum_find_path"]!(
-          first, second, ends, ends + 24, count(options.angles ?? 72, "angles"), options.certain ? 1 : 0, space,
+          first, second, ends, ends + 24, options.angles ?? 72, options.certain ? 1 : 0, space,
           this.writeOptions(options), results, error,
         );
         library.check(status);
@@ -361,15 +349,13 @@ export class Minksum {
    * made is resolved first. */
   rounded<O extends RoundOptions = {}>(a: Operand, options: O = {} as O): ResultOf<O> {
     const side = indexOf(kSides, options.side ?? "nearest", "side");
-    const decimals = options.decimals === undefined ? -1 : count(options.decimals, "decimals");
     return this.withResolved(a, options, (address) =>
-      this.take("minksum_round", [address, side, decimals], options),
+      this.take("minksum_round", [address, side, options.decimals ?? -1], options),
     );
   }
   /** Returns the image by the map (x, y) ↦ (m₀ x + m₁ y + m₂, m₃ x + m₄ y + m₅). */
   transform<O extends Options = {}>(a: Operand, m: ArrayLike<number>, options: O = {} as O): ResultOf<O> {
-    if (m?.length !== 6) throw badInput("a map has six numbers");
-    numbers(m, "map");
+    if (m.length !== 6) throw badInput("a map has six numbers");
     return this.operands.with([a], options, ([address]) =>
       this.library.withRoom(48, (map) => {
         this.library.f64.set(m, map / 8);
@@ -393,7 +379,7 @@ export class Minksum {
     const { results, error, call } = library;
     return this.withResolved(a, options, (address) => {
       library.check(call["minksum_area"]!(address, results, error));
-      return inRange(library.f64.slice(results / 8, results / 8 + 1))[0]!;
+      return library.f64[results / 8]!;
     });
   }
   /** Returns the bounding box of a's polygons: min x, min y, max x, max y; `null` without any. */
@@ -403,15 +389,13 @@ export class Minksum {
     return this.operands.with([a], options, ([address]) => {
       library.check(call["minksum_bounding_box"]!(address!, results, results + 32, error));
       if (library.u32[(results >>> 2) + 8] === 0) return null;
-      const box = [...library.f64.subarray(results / 8, results / 8 + 4)];
-      return inRange(box) as [number, number, number, number];
+      return [...library.f64.subarray(results / 8, results / 8 + 4)] as [number, number, number, number];
     });
   }
   /** Tells where points lie, whose x and y follow each other. */
   locate(a: Operand, points: ArrayLike<number>, options: Options = {}): Location[] {
     const { library } = this;
     const { results, error, call } = library;
-    pointsOf(points);
     return this.withResolved(a, options, (address) => {
       const how = this.writeOptions(options);
       const locator = this.made("minksum_locator_new", [address, how, results, error]);
@@ -430,7 +414,7 @@ export class Minksum {
   validate(a: Operand, options: Options & { most?: number } = {}): Fault[] {
     const { library } = this;
     const { results, error, call } = library;
-    const most = count(options.most ?? 100, "most", 1_000_000); // each takes 600 bytes
+    const most = options.most ?? 100;
     return this.operands.with([a], options, ([address]) =>
       library.withRoom(600 * most, (faults) => {
         const how = this.writeOptions(options);
@@ -448,7 +432,7 @@ export class Minksum {
     const { results, error, call } = library;
     return this.operands.with([result, a, b], options, ([sum, first, second]) => {
       const how = this.writeOptions(options);
-      const within = finite(options.within ?? 0, "within");
+      const within = options.within ?? 0;
       library.check(call["minksum_check_sum"]!(sum!, first!, second!, within, how, results, error));
       const word = (i: number) => library.u32[(results >>> 2) + i]!;
       const long = (i: number) => word(i) + 2 ** 32 * word(i + 1);
@@ -518,14 +502,13 @@ export class Minksum {
   contactsOf(noFit: Address, points: ArrayLike<number>): Contact[] {
     const { library } = this;
     const { call, error } = library;
+    const count = points.length >>> 1;
     try {
-      const { length } = pointsOf(points);
-      return library.withRoom(10 * length, (xy) => {
+      return library.withRoom(20 * count, (xy) => {
         library.f64.set(points, xy / 8);
-        const contacts = xy + 8 * length;
-        library.check(call["minksum_contacts"]!(noFit, xy, length / 2, contacts, 0, error));
-        const [first, last] = [contacts >>> 2, (contacts >>> 2) + length / 2];
-        return Array.from(library.u32.subarray(first, last), (c) => kContacts[c]!);
+        const contacts = xy + 16 * count;
+        library.check(call["minksum_contacts"]!(noFit, xy, count, contacts, 0, error));
+        return Array.from(library.u32.subarray(contacts >>> 2, (contacts >>> 2) + count), (c) => kContacts[c]!);
       });
     } finally {
       call["minksum_geometry_free"]!(noFit);
@@ -558,10 +541,9 @@ export class Minksum {
     const { results, error } = library;
     const made = this.operands.with([a, b], options, ([first, second]) =>
       library.withRoom(16, (where) => {
-        const { reference } = options;
-        if (reference !== undefined) library.f64.set(numbers(reference, "reference", 2), where / 8);
+        if (options.reference) library.f64.set(options.reference, where / 8);
         const how = this.writeOptions(options);
-        return this.made(name, [first!, second!, reference ? where : 0, how, results, error]);
+        return this.made(name, [first!, second!, options.reference ? where : 0, how, results, error]);
       }),
     );
     return work(made);
@@ -571,14 +553,12 @@ export class Minksum {
     work: (robot: Address, obstacles: Address, space: Address) => T,
   ): T {
     const { library } = this;
-    checkOptions(options);
-    const list = [robot, obstacles];
-    if (options.workspace !== undefined) list.push(options.workspace);
+    const list = [robot, obstacles, ...(options.workspace ? [options.workspace] : [])];
     return this.operands.with(list, options, ([first, second, workspace]) =>
       library.withRoom(32, (space) => {
-        library.f64.set(numbers(options.reference ?? [0, 0], "reference", 2), space / 8);
+        library.f64.set(options.reference ?? [0, 0], space / 8);
         library.u32[(space >>> 2) + 4] = workspace ?? 0;
-        library.f64[space / 8 + 3] = finite(options.tolerance ?? 1e-3, "tolerance");
+        library.f64[space / 8 + 3] = options.tolerance ?? 1e-3;
         return work(first!, second!, space);
       }),
     );
@@ -588,8 +568,8 @@ export class Minksum {
       fill: indexOf(kFills, options.fill ?? "automatic", "fill"),
       regularize: options.regularize ?? false,
       tight: options.tight,
-      maxSegments: count(options.maxSegments ?? 0, "maxSegments", Number.MAX_SAFE_INTEGER),
-      maxCrossings: count(options.maxCrossings ?? 0, "maxCrossings", Number.MAX_SAFE_INTEGER),
+      maxSegments: options.maxSegments ?? 0,
+      maxCrossings: options.maxCrossings ?? 0,
       progress: options.progress,
     });
   }

@@ -1,6 +1,5 @@
 // Takes results out of the module's memory.
 import type { Address, Library } from "./abi.js";
-import { inRange } from "./arguments.js";
 import type {
   ExactFlatResult, FlatResult, Geometry, LineString, Origin, Point, Polygon, Position, ResultOf,
   ResultOptions,
@@ -25,20 +24,14 @@ export class Results {
     const exact = options.coords === "exact";
     switch (options.as) {
       case "flat":
-        return (exact ? this.exactFlat(geometry) : this.finite(geometry)) as ResultOf<O>;
+        return (exact ? this.exactFlat(geometry) : this.flat(geometry)) as ResultOf<O>;
       case "wkt":
         return this.write(geometry, kWkt, exact) as ResultOf<O>;
       case "svg":
         return this.write(geometry, kSvg, false) as ResultOf<O>;
       default:
-        return geojson(exact ? this.exactFlat(geometry) : this.finite(geometry)) as ResultOf<O>;
+        return geojson(exact ? this.exactFlat(geometry) : this.flat(geometry)) as ResultOf<O>;
     }
-  }
-
-  private finite(geometry: Address): FlatResult {
-    const made = this.flat(geometry);
-    Object.values(made).forEach(inRange);
-    return made;
   }
 
   write(geometry: Address, format: number, exact: boolean): string {

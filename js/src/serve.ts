@@ -1,5 +1,5 @@
 // What runs in a worker: it does what it is asked, one after the other.
-import { badInput, MinksumError } from "./errors.js";
+import { MinksumError } from "./errors.js";
 import type { WasmSource } from "./load.js";
 import type { Minksum, NoFitTable } from "./minksum.js";
 import type { Options, Progress } from "./types.js";
@@ -34,10 +34,7 @@ export function serve(
       tables.delete(table!);
       return undefined;
     }
-    if (table === undefined) return mk[method](...args);
-    const made = tables.get(table) as any;
-    if (made === undefined) throw badInput("the table was disposed of");
-    return made[method](...args);
+    return table === undefined ? mk[method](...args) : (tables.get(table) as any)[method](...args);
   };
   return (question) => {
     answer(question).then(

@@ -225,10 +225,9 @@ export class MinksumWorker {
   }
   async noFitTable(parts: Operand[], options?: Plain<TableOptions>): Promise<NoFitTableInWorker> {
     const table = this.next;
-    const { signal: _, progress: _progress, ...rest } = options ?? {};
-    const args = structuredClone([parts, rest]); // another worker may be asked, too
     const { size, turns } = await this.ask("noFitTable", [parts, options], table);
-    this.tables.set(table, { id: 0, method: "noFitTable", args, table });
+    const { signal: _, progress: _progress, ...kept } = options ?? {};
+    this.tables.set(table, { id: 0, method: "noFitTable", args: [parts, kept], table });
     const ask = (method: string, args: unknown[]) => {
       if (method === "dispose") this.tables.delete(table);
       return this.ask(method, args, table);
@@ -251,15 +250,8 @@ export class MinksumWorker {
     const heard = typeof last?.progress === "function" ? last.progress : undefined;
     const strip = signal !== undefined || heard !== undefined;
     const rest = strip ? { ...last, signal: undefined, progress: undefined } : last;
-    let own: unknown[];
-    try {
-      // Another worker may be asked later, when the caller has changed his operands.
-      own = structuredClone([...args.slice(0, -1), rest]);
-    } catch (error) {
-      return Promise.reject(error);
-    }
     const id = this.next++;
-    const question = { id, method, args: own, table, progress: !!heard };
+    const question = { id, method, args: [...args.slice(0, -1), rest], table, progress: !!heard };
     return new Promise((resolve, reject) => {
       const abort = () => this.abort(id, signal!.reason);
       signal?.addEventListener("abort", abort, { once: true });
@@ -270,7 +262,11 @@ export class MinksumWorker {
         reject: (error) => (done(), reject(error)),
       });
       this.channel.hold?.(true);
-      this.channel.send(question);
+      try {
+        this.channel.send(question);
+      } catch (error) {
+        this.settle(id)?.reject(error);
+      }
     });
   }
   private open(): Channel {
@@ -316,7 +312,6 @@ export class MinksumWorker {
   private abort(id: number, reason: unknown): void {
     const asked = this.settle(id);
     if (asked === undefined) return;
-    asked.reject(reason);
     this.channel.end();
     this.channel = this.open();
     for (const table of this.tables.values()) this.channel.send(table);
@@ -324,6 +319,7 @@ export class MinksumWorker {
       this.channel.hold?.(true);
       this.channel.send({ id: other, method, args, table, progress });
     }
+    asked.reject(reason);
   }
   /** The worker died: what it was asked fails, and another one takes its place. */
   private restart(error: Error): void {

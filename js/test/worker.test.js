@@ -52,20 +52,3 @@ test("a closed worker is cancelled", async () => {
   await assert.rejects(pending, { code: "cancelled" });
   await assert.rejects(other.area(a), { code: "cancelled" });
 });
-
-test("operands are those of the time of the call, also if another worker takes over", async () => {
-  const worker = await load();
-  const a = box(0, 0, 2, 2);
-  const flat = { coords: new Float64Array([0, 0, 1, 0, 0, 1]), rings: [0, 3], polygons: [0, 1] };
-  const stop = new AbortController();
-  const long = worker.disc(5, 1e-9, { signal: stop.signal });
-  const sum = worker.minkowskiSum(a, a, { as: "wkt" });
-  const area = worker.area(flat);
-  a.coordinates[0][1][0] = a.coordinates[0][2][0] = 500;
-  structuredClone(flat.coords.buffer, { transfer: [flat.coords.buffer] });
-  stop.abort();
-  await assert.rejects(long, { name: "AbortError" });
-  assert.equal(await sum, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
-  assert.equal(await area, 0.5);
-  worker.close();
-});
