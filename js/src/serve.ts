@@ -1,5 +1,5 @@
 // What runs in a worker: it does what it is asked, one after the other.
-import { MinksumError } from "./errors.js";
+import { badInput, MinksumError } from "./errors.js";
 import type { WasmSource } from "./load.js";
 import type { Minksum, NoFitTable } from "./minksum.js";
 import type { Options, Progress } from "./types.js";
@@ -34,7 +34,9 @@ export function serve(
       tables.delete(table!);
       return undefined;
     }
-    return table === undefined ? mk[method](...args) : (tables.get(table) as any)[method](...args);
+    const object = table === undefined ? mk : tables.get(table);
+    if (object === undefined) throw badInput("the table was disposed of");
+    return object[method](...args);
   };
   return (question) => {
     answer(question).then(

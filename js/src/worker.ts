@@ -5,7 +5,7 @@
  * @packageDocumentation
  */
 import { fromWorker, spawn } from "#spawn";
-import { MinksumError, type ErrorCode, type ErrorPlace } from "./errors.js";
+import { badInput, MinksumError, type ErrorCode, type ErrorPlace } from "./errors.js";
 import type {
   CheckOptions, Configuration, Contact, Depth, Fault, Location, NumberOf, OffsetOptions, Operand,
   Options, Progress, ReachOf, ReachOptions, ReferenceOptions, ResultOf, RoundOptions, Side, Slice,
@@ -225,12 +225,14 @@ export class MinksumWorker {
   }
   async noFitTable(parts: Operand[], options?: Plain<TableOptions>): Promise<NoFitTableInWorker> {
     const table = this.next;
-    const { size, turns } = await this.ask("noFitTable", [parts, options], table);
-    const { signal: _, progress: _progress, ...kept } = options ?? {};
-    this.tables.set(table, { id: 0, method: "noFitTable", args: [parts, kept], table });
-    const ask = (method: string, args: unknown[]) => {
+    const asked = this.ask("noFitTable", [parts, options], table);
+    const args = this.pending.get(table)?.args ?? [];
+    const { size, turns } = await asked;
+    this.tables.set(table, { id: 0, method: "noFitTable", args, table });
+    const ask = async (method: string, args: unknown[]) => {
+      const answer = await this.ask(method, args, table);
       if (method === "dispose") this.tables.delete(table);
-      return this.ask(method, args, table);
+      return answer;
     };
     return new NoFitTableInWorker(ask, size, turns);
   }
@@ -245,13 +247,23 @@ export class MinksumWorker {
   private ask(method: string, args: unknown[], table?: number): Promise<any> {
     if (this.closed) return Promise.reject(new MinksumError("cancelled", "the worker was closed"));
     const last = args[args.length - 1] as Plain<Options> | undefined;
-    const signal = last?.signal instanceof AbortSignal ? last.signal : undefined;
+    const signal = last?.signal;
+    if (signal !== undefined && !(signal instanceof AbortSignal)) {
+      return Promise.reject(badInput("`signal` is no AbortSignal, such as that of an AbortController"));
+    }
     if (signal?.aborted) return Promise.reject(signal.reason);
     const heard = typeof last?.progress === "function" ? last.progress : undefined;
     const strip = signal !== undefined || heard !== undefined;
     const rest = strip ? { ...last, signal: undefined, progress: undefined } : last;
+    // Another worker may have to do it, and what the caller owns may have changed by then.
+    let kept: unknown[];
+    try {
+      kept = structuredClone([...args.slice(0, -1), rest]);
+    } catch (error) {
+      return Promise.reject(badInput(`an argument cannot be sent to a worker: ${String(error)}`));
+    }
     const id = this.next++;
-    const question = { id, method, args: [...args.slice(0, -1), rest], table, progress: !!heard };
+    const question: Question = { id, method, args: kept, table, progress: !!heard };
     return new Promise((resolve, reject) => {
       const abort = () => this.abort(id, signal!.reason);
       signal?.addEventListener("abort", abort, { once: true });
@@ -261,13 +273,16 @@ export class MinksumWorker {
         resolve: (value) => (done(), resolve(value)),
         reject: (error) => (done(), reject(error)),
       });
-      this.channel.hold?.(true);
-      try {
-        this.channel.send(question);
-      } catch (error) {
-        this.settle(id)?.reject(error);
-      }
+      this.send(question);
     });
+  }
+  private send({ id, method, args, table, progress }: Question): void {
+    this.channel.hold?.(true);
+    try {
+      this.channel.send({ id, method, args, table, progress });
+    } catch (error) {
+      this.settle(id)?.reject(error);
+    }
   }
   private open(): Channel {
     const channel = this.start();
@@ -312,23 +327,26 @@ export class MinksumWorker {
   private abort(id: number, reason: unknown): void {
     const asked = this.settle(id);
     if (asked === undefined) return;
-    this.channel.end();
-    this.channel = this.open();
-    for (const table of this.tables.values()) this.channel.send(table);
-    for (const { id: other, method, args, table, progress } of this.pending.values()) {
-      this.channel.hold?.(true);
-      this.channel.send({ id: other, method, args, table, progress });
-    }
     asked.reject(reason);
+    this.replace();
   }
   /** The worker died: what it was asked fails, and another one takes its place. */
   private restart(error: Error): void {
-    this.channel.end();
     this.closed ||= !this.started; // another one would not start either
     this.fail(error);
-    if (this.closed) return;
-    this.channel = this.open();
-    for (const table of this.tables.values()) this.channel.send(table);
+    if (this.closed) this.channel.end();
+    else this.replace();
+  }
+  private replace(): void {
+    this.channel.end();
+    try {
+      this.channel = this.open();
+      for (const table of this.tables.values()) this.channel.send(table);
+    } catch (error) {
+      this.closed = true;
+      this.fail(error as Error);
+    }
+    for (const asked of [...this.pending.values()]) this.send(asked);
   }
   private fail(error: Error): void {
     for (const asked of [...this.pending.values()]) this.settle(asked.id)?.reject(error);

@@ -45,6 +45,27 @@ test("a signal stops a long sum, and what else was asked is done", async () => {
 test("a signal that was given before stops at once", async () => {
   await assert.rejects(worker.area(a, { signal: AbortSignal.abort() }), { name: "AbortError" });
 });
+test("what was asked does not change with its operands", async () => {
+  const parts = [box(0, 0, 1, 1), box(0, 0, 2, 2)];
+  const flat = { coords: new Float64Array([0, 0, 1, 0, 0, 1]), rings: [0, 3], polygons: [0, 1] };
+  const expected = mk.minkowskiSum(...parts);
+  const entry = mk.noFitTable(parts).at(0, 1);
+  const table = await worker.noFitTable(parts);
+  const controller = new AbortController();
+  const stopped = assert.rejects(worker.disc(5, 1e-9, { signal: controller.signal }), { name: "AbortError" });
+  const asked = [worker.minkowskiSum(...parts), table.at(0, 1), worker.area(flat), table.dispose()];
+  parts[1].coordinates[0][1][0] = 500;
+  parts[0].coordinates[0][1] = () => 1;
+  structuredClone(flat.coords.buffer, { transfer: [flat.coords.buffer] });
+  controller.abort();
+  await stopped;
+  assert.deepEqual(await Promise.all(asked), [expected, entry, 0.5, undefined]);
+  await assert.rejects(table.at(0, 1), { code: "bad-input", message: "the table was disposed of" });
+});
+test("arguments that cannot be sent, and signals that are none, are refused", async () => {
+  await assert.rejects(worker.area({ ...box(0, 0, 1, 1), f() {} }), { code: "bad-input" });
+  await assert.rejects(worker.area(a, { signal: new AbortController() }), { code: "bad-input" });
+});
 test("a closed worker is cancelled", async () => {
   const other = await load();
   const pending = other.area(a);
