@@ -1,6 +1,9 @@
 // Reads GeoJSON whose coordinates are doubles, which nearly all are.
 import type { Flat } from "./types.js";
 
+/** Flat arrays that have no strings. */
+export type FlatDoubles = Record<keyof Flat, ArrayLike<number>>;
+
 /** The doubles of GeoJSON in flat arrays. Their memory is kept from one operand to the next. */
 export class Doubles {
   private xy = new Float64Array(256);
@@ -13,7 +16,7 @@ export class Doubles {
 
   /** Returns flat arrays, which are valid until the next call. Returns nothing for what has other
    * numbers, or is not what it must be. */
-  read(value: unknown, dropZ: boolean): Flat | undefined {
+  read(value: unknown, dropZ: boolean): FlatDoubles | undefined {
     this.used = 0;
     this.rings = [0];
     this.polygons = [0];
@@ -56,8 +59,8 @@ export class Doubles {
       const { xy } = this.roomFor(ring?.length);
       const end = write(ring, dropZ, xy, first);
       if (end <= first) return false;
-      const closed = end > first + 2 && xy[first] === xy[end - 2] && xy[first + 1] === xy[end - 1];
-      this.used = closed ? end - 2 : end;
+      if (xy[first] !== xy[end - 2] || xy[first + 1] !== xy[end - 1]) return false;
+      this.used = end > first + 2 ? end - 2 : end;
       this.rings.push(this.used / 2);
     }
     if (rings.length > 0) this.polygons.push(this.rings.length - 1);
@@ -85,7 +88,9 @@ export class Doubles {
 }
 
 function every(list: any, take: (value: any) => boolean): boolean {
-  return Array.isArray(list) && list.every(take);
+  if (!Array.isArray(list)) return false;
+  for (const value of list) if (!take(value)) return false; // `every` would skip what is missing
+  return true;
 }
 
 /** Writes positions to `xy` from index `at` on. Returns the index behind the last; -1 if a position

@@ -1,12 +1,12 @@
 // Puts operands into the module's memory.
 import type { Address, Library } from "./abi.js";
-import { Doubles } from "./doubles.js";
+import { checkOptions, isList, kSides, oneOf, shown } from "./arguments.js";
+import { Doubles, type FlatDoubles } from "./doubles.js";
 import { badInput } from "./errors.js";
-import { exactText } from "./exact.js";
+import { equal, exactText, isExact } from "./exact.js";
 import type { Flat, Operand, Position, ReadOptions } from "./types.js";
 
 const encoder = new TextEncoder();
-const kSides = { nearest: 0, outside: 1, inside: 2 } as const;
 
 /** What GeoJSON holds, with numbers of any kind. It tells what is wrong, and where. Rings do not
  * repeat their first position. */
@@ -48,36 +48,39 @@ class Parts {
         }
         return;
       case "MultiPoint":
-        for (const point of this.list(value.coordinates, "coordinates")) {
-          this.points.push(this.position(point, {}));
-        }
+        for (const point of this.positions(value.coordinates)) this.points.push(point);
         return;
     }
-    throw this.bad(`an operand of the type ${JSON.stringify(value?.type)} is not known`);
+    throw this.bad(`an operand of the type ${shown(value?.type)} is not known`);
   }
   private bad(message: string, place = {}) {
     return badInput(message, { operand: this.operand, ...place });
   }
   private list(value: any, name: string): any[] {
     if (!Array.isArray(value)) throw this.bad(`\`${name}\` is not an array`);
-    return value;
+    return Array.from(value); // what is missing becomes undefined
+  }
+  private positions(value: any, place = {}): Position[] {
+    return this.list(value, "coordinates").map((p, vertex) => this.position(p, { ...place, vertex }));
   }
   private addPolygon(rings: any): void {
     const polygon = this.polygons.length;
     const read = this.list(rings, "coordinates").map((ring, r) => {
       const place = { polygon, ring: r };
-      const positions = this.list(ring, "coordinates").map((p: any, vertex: number) =>
-        this.position(p, { ...place, vertex }),
-      );
+      const positions = this.positions(ring, place);
       const [first, last] = [positions[0], positions[positions.length - 1]];
       if (positions.length === 0) throw this.bad("a ring is empty", place);
-      if (positions.length > 1 && first![0] === last![0] && first![1] === last![1]) positions.pop();
+      if (!equal(first![0]!, last![0]!) || !equal(first![1]!, last![1]!)) {
+        const name = `polygon ${polygon + 1}, ring ${r + 1}`;
+        throw this.bad(`${name} is not closed: its last point must repeat the first`, place);
+      }
+      if (positions.length > 1) positions.pop();
       return positions;
     });
     if (read.length > 0) this.polygons.push(read);
   }
   private addLine(line: any): void {
-    const positions = this.list(line, "coordinates").map((p: any) => this.position(p, {}));
+    const positions = this.positions(line);
     if (positions.length > 0) this.lines.push(positions);
   }
   private position(value: any, place: object): Position {
@@ -87,11 +90,9 @@ class Parts {
     }
     for (const coordinate of [value[0], value[1]]) {
       if (typeof coordinate === "string") {
-        if (!/^[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?(\/[-+]?\d+)?$/.test(coordinate)) {
-          throw this.bad(`${JSON.stringify(coordinate)} is not a number`, place);
-        }
+        if (!isExact(coordinate)) throw this.bad(`${JSON.stringify(coordinate)} is not a number`, place);
       } else if (typeof coordinate !== "number" || !Number.isFinite(coordinate)) {
-        throw this.bad(`a coordinate is not a finite number: ${String(coordinate)}`, place);
+        throw this.bad(`a coordinate is not a finite number: ${shown(coordinate)}`, place);
       }
     }
     return value;
@@ -129,6 +130,7 @@ export class Operands {
 
   /** Calls `work` with the addresses of all operands, and frees them. */
   with<T>(operands: unknown[], options: ReadOptions, work: (addresses: Address[]) => T): T {
+    checkOptions(options);
     const made: Address[] = [];
     try {
       const addresses = operands.map((operand, index) => {
@@ -152,8 +154,10 @@ export class Operands {
     if (typeof operand === "string") return this.read(encoder.encode(operand), index, options);
     if (operand instanceof Uint8Array) return this.read(operand, index, options);
     if (typeof operand !== "object") throw new TypeError(`operand ${index} is a ${typeof operand}`);
-    if ("coords" in operand) return this.makeFlat(operand as Flat, index, options);
-    if (!("type" in operand)) throw badInput("an operand has no `type`", { operand: index });
+    if (!("type" in operand)) {
+      if ("coords" in operand) return this.makeFlat(operand as Flat, index, options);
+      throw badInput("an operand has neither `type` nor `coords`", { operand: index });
+    }
     const flat = this.doubles.read(operand, options.z === "drop");
     if (flat !== undefined) return this.putFlat(flat, index);
     const parts = new Parts(index, options.z === "drop");
@@ -161,26 +165,24 @@ export class Operands {
     return this.read(encoder.encode(parts.wkt()), index, options);
   }
 
-  /** Flat arrays with strings go the way of text. */
-  private text(flat: Flat, index: number): string {
+  /** Flat arrays with other things than numbers go the way of text, which tells where those are. */
+  private text(flat: Required<Flat>, index: number): string {
     const parts = new Parts(index, false);
     const at = (list: ArrayLike<any>, i: number) => [list[2 * i], list[2 * i + 1]];
     const range = (list: ArrayLike<any>, from: number, to: number) =>
       Array.from({ length: to - from }, (_, i) => at(list, from + i));
-    const { coords, rings, polygons } = flat;
+    const { coords, rings, polygons, lineCoords, lines, points } = flat;
     for (let p = 0; p + 1 < polygons.length; ++p) {
       const list = [];
       for (let r = polygons[p]!; r < polygons[p + 1]!; ++r) {
-        list.push(range(coords, rings[r]!, rings[r + 1]!));
+        list.push([...range(coords, rings[r]!, rings[r + 1]!), at(coords, rings[r]!)]);
       }
       parts.add({ type: "Polygon", coordinates: list });
     }
-    const lines = flat.lines ?? [0];
     for (let l = 0; l + 1 < lines.length; ++l) {
-      const coordinates = range(flat.lineCoords ?? [], lines[l]!, lines[l + 1]!);
+      const coordinates = range(lineCoords, lines[l]!, lines[l + 1]!);
       parts.add({ type: "LineString", coordinates });
     }
-    const points = flat.points ?? [];
     parts.add({ type: "MultiPoint", coordinates: range(points, 0, points.length / 2) });
     return parts.wkt();
   }
@@ -191,7 +193,7 @@ export class Operands {
       const how = address / 8;
       library.f64[how] = options.curveTolerance ?? 0;
       library.f64[how + 1] = options.joinEnds ?? 0;
-      library.u32[2 * how + 4] = kSides[options.curveSide ?? "nearest"];
+      library.u32[2 * how + 4] = oneOf(kSides, options.curveSide ?? "nearest", "curveSide");
       library.u32[2 * how + 5] = options.z === "drop" ? 1 : 0;
       library.u32.fill(0, 2 * how + 6, 2 * how + 8);  // no column, no layer
       library.u8.set(text, address + 32);
@@ -203,16 +205,21 @@ export class Operands {
   }
 
   private makeFlat(flat: Flat, index: number, options: ReadOptions): Address {
-    this.checkOffsets(flat.coords, flat.rings, "rings", 2, index);
-    this.checkOffsets(flat.rings, flat.polygons, "polygons", 1, index);
-    this.checkOffsets(flat.lineCoords ?? [], flat.lines ?? [0], "lines", 2, index);
-    const isText = (list: ArrayLike<unknown> | undefined) => typeof list?.[0] === "string";
-    return isText(flat.coords) || isText(flat.lineCoords) || isText(flat.points)
-      ? this.read(encoder.encode(this.text(flat, index)), index, options)
-      : this.putFlat(flat, index);
+    const { coords, rings, polygons, lineCoords = [], lines = [0], points = [] } = flat;
+    const lists = { coords, rings, polygons, lineCoords, lines, points };
+    for (const [name, list] of Object.entries(lists)) {
+      if (!isList(list)) throw badInput(`\`${name}\` is no array`, { operand: index });
+    }
+    this.checkOffsets(rings.length - 1, polygons, "polygons", "polygon", index);
+    this.checkOffsets(coords.length / 2, rings, "rings", "ring", index, polygons);
+    this.checkOffsets(lineCoords.length / 2, lines, "lines", "polyline", index);
+    if (points.length % 2 !== 0) throw badInput("`points` has an odd length", { operand: index });
+    return [coords, lineCoords, points].every(isDoubles)
+      ? this.putFlat(lists as FlatDoubles, index)
+      : this.read(encoder.encode(this.text(lists, index)), index, options);
   }
   /** Makes a geometry of flat arrays whose offsets are known to be good. */
-  private putFlat(flat: Flat, index: number): Address {
+  private putFlat(flat: FlatDoubles, index: number): Address {
     const { library } = this;
     const { coords, rings, polygons } = flat;
     const bytes = 8 * (coords.length + rings.length + polygons.length);
@@ -236,7 +243,7 @@ export class Operands {
     }
     return geometry;
   }
-  private addThin(geometry: Address, flat: Flat, index: number): void {
+  private addThin(geometry: Address, flat: FlatDoubles, index: number): void {
     const { library } = this;
     const add = (name: string, list: ArrayLike<number>, from: number, to: number) =>
       library.withRoom(16 * (to - from), (address) => {
@@ -244,28 +251,24 @@ export class Operands {
         for (let i = 2 * from; i < 2 * to; ++i) f64[address / 8 + i - 2 * from] = list[i]!;
         library.check(library.call[name]!(geometry, address, to - from, library.error), index);
       });
-    const lines = flat.lines ?? [0];
-    const lineCoords = flat.lineCoords ?? [];
+    const { lineCoords, lines, points } = flat;
     for (let l = 0; l + 1 < lines.length; ++l) {
       add("minksum_geometry_add_polyline", lineCoords, lines[l]!, lines[l + 1]!);
     }
-    const points = flat.points ?? [];
-    if (points.length > 0) add("minksum_geometry_add_points", points, 0, points.length >>> 1);
+    if (points.length > 0) add("minksum_geometry_add_points", points, 0, points.length / 2);
   }
   /** The library reads the arrays up to the last offset, so that must lie within them. */
   private checkOffsets(
-    list: ArrayLike<unknown>, offsets: ArrayLike<number>, name: string, each: number, operand: number,
+    last: number, offsets: ArrayLike<number>, name: string, part: string, operand: number,
+    polygons?: ArrayLike<number>,
   ): void {
-    if (list === undefined || offsets === undefined || typeof offsets.length !== "number") {
-      throw badInput(`an operand has \`coords\`, but no \`${name}\``, { operand });
-    }
-    const last = each === 2 ? list.length / 2 : list.length - 1;
     let before = 0;
     for (let i = 0; i < offsets.length; ++i) {
       const offset = offsets[i]!;
       if (!(offset >= before && (i > 0 || offset === 0) && Number.isInteger(offset))) {
         throw badInput(`\`${name}\` goes back or does not begin with 0 at index ${i}`, { operand });
       }
+      if (i > 0 && offset === before) throw empty(i - 1, part, operand, polygons);
       before = offset;
     }
     if (offsets.length === 0 || before !== last) {
@@ -280,4 +283,21 @@ export class Operands {
     }
     return address;
   }
+}
+
+function isDoubles(list: ArrayLike<unknown>): boolean {
+  if (ArrayBuffer.isView(list)) return list.length === 0 || typeof list[0] === "number";
+  for (let i = 0; i < list.length; ++i) if (typeof list[i] !== "number") return false;
+  return true;
+}
+/** The error of a part that has nothing. Rings are counted in their polygon. */
+function empty(index: number, part: string, operand: number, polygons?: ArrayLike<number>) {
+  if (polygons === undefined) {
+    const place = part === "polygon" ? { operand, polygon: index } : { operand };
+    return badInput(`${part} ${index + 1} is empty`, place);
+  }
+  let polygon = 0;
+  while (polygons[polygon + 1]! <= index) ++polygon;
+  const ring = index - polygons[polygon]!;
+  return badInput(`polygon ${polygon + 1}, ring ${ring + 1} is empty`, { operand, polygon, ring });
 }

@@ -7,13 +7,15 @@ export type Coordinate = number | string;
 /** x and y. */
 export type Position = Coordinate[];
 
-export type Polygon = { type: "Polygon"; coordinates: Position[][] };
-export type MultiPolygon = { type: "MultiPolygon"; coordinates: Position[][][] };
-export type LineString = { type: "LineString"; coordinates: Position[] };
-export type MultiLineString = { type: "MultiLineString"; coordinates: Position[][] };
-export type Point = { type: "Point"; coordinates: Position };
-export type MultiPoint = { type: "MultiPoint"; coordinates: Position[] };
-export type GeometryCollection = { type: "GeometryCollection"; geometries: Geometry[] };
+/** What any object of GeoJSON may have besides. */
+type Boxed = { bbox?: number[] };
+export type Polygon = Boxed & { type: "Polygon"; coordinates: Position[][] };
+export type MultiPolygon = Boxed & { type: "MultiPolygon"; coordinates: Position[][][] };
+export type LineString = Boxed & { type: "LineString"; coordinates: Position[] };
+export type MultiLineString = Boxed & { type: "MultiLineString"; coordinates: Position[][] };
+export type Point = Boxed & { type: "Point"; coordinates: Position };
+export type MultiPoint = Boxed & { type: "MultiPoint"; coordinates: Position[] };
+export type GeometryCollection = Boxed & { type: "GeometryCollection"; geometries: Geometry[] };
 /** A geometry of GeoJSON. */
 export type Geometry =
   | Polygon
@@ -23,12 +25,13 @@ export type Geometry =
   | Point
   | MultiPoint
   | GeometryCollection;
-export type Feature = { type: "Feature"; geometry: Geometry | null; [member: string]: unknown };
-export type FeatureCollection = {
-  type: "FeatureCollection";
-  features: Feature[];
-  [member: string]: unknown;
+export type Feature = Boxed & {
+  type: "Feature";
+  geometry: Geometry | null;
+  id?: string | number;
+  properties?: unknown;
 };
+export type FeatureCollection = Boxed & { type: "FeatureCollection"; features: Feature[] };
 
 /**
  * Flat arrays. Ring r has the vertices from `rings[r]` up to, but without, `rings[r + 1]`, and no
@@ -37,14 +40,14 @@ export type FeatureCollection = {
  */
 export interface Flat {
   /** x and y of each vertex of the rings in turn */
-  coords: ArrayLike<number>;
+  coords: ArrayLike<Coordinate>;
   rings: ArrayLike<number>;
   polygons: ArrayLike<number>;
   /** x and y of each vertex of the polylines in turn */
-  lineCoords?: ArrayLike<number>;
+  lineCoords?: ArrayLike<Coordinate>;
   lines?: ArrayLike<number>;
   /** x and y of each single point in turn */
-  points?: ArrayLike<number>;
+  points?: ArrayLike<Coordinate>;
 }
 /** Flat arrays of a result. */
 export interface FlatResult extends Flat {
@@ -209,9 +212,12 @@ export interface Reach<At = Configuration> {
   path: At[];
 }
 /** The type of a path for given options. */
-export type ReachOf<O> = Reach<O extends { coords: "exact" } ? ExactConfiguration : Configuration>;
+export type ReachOf<O> = Reach<
+  CoordsOf<O> extends infer C ? (C extends "exact" ? ExactConfiguration : Configuration) : never
+>;
 /** The type of a number for given options. */
-export type NumberOf<O> = O extends { coords: "exact" } ? string : number;
+export type NumberOf<O> =
+  CoordsOf<O> extends infer C ? (C extends "exact" ? string : number) : never;
 export interface Slice<Result = Geometry> {
   /** the angle that was asked for */
   degrees: number;
@@ -323,11 +329,17 @@ export interface Origin {
   vertex: number;
 }
 
-/** The type of a result for given options. */
-export type ResultOf<O> = O extends { as: "flat"; coords: "exact" }
-  ? ExactFlatResult
-  : O extends { as: "flat" }
-    ? FlatResult
-    : O extends { as: "wkt" | "svg" }
-      ? string
-      : Geometry;
+/** What an option may be, with its default. */
+type ValueOf<O, Name, Default> = Name extends keyof O
+  ? Exclude<O[Name], undefined> | (undefined extends O[Name] ? Default : never)
+  : Default;
+type CoordsOf<O> = ValueOf<O, "coords", "double">;
+type FormOf<As, Coords> = As extends "flat"
+  ? Coords extends "exact"
+    ? ExactFlatResult
+    : FlatResult
+  : As extends "wkt" | "svg"
+    ? string
+    : Geometry;
+/** The type of a result for given options: a union unless they are known. */
+export type ResultOf<O> = FormOf<ValueOf<O, "as", "geojson">, CoordsOf<O>>;
