@@ -1,6 +1,6 @@
 // The module in WebAssembly: its functions, its memory, and the structs of the C interface there,
 // whose layout wasm/layout.cpp holds.
-import { MinksumError, type ErrorCode } from "./errors.js";
+import { badInput, MinksumError, type ErrorCode } from "./errors.js";
 import { progressStages, type Progress } from "./types.js";
 
 type ProgressListener = (progress: Progress) => boolean | void;
@@ -59,27 +59,32 @@ export class Library {
   readonly results: Address;
   private readonly options: Address;
   private readonly memory: WebAssembly.Memory;
-  private doubles: Float64Array;
+  private reals: Float64Array;
   private words: Uint32Array;
   private octets: Uint8Array;
   private kept: Address;
   private listener: ProgressListener | undefined;
   /** what a listener has thrown */
   private thrown: { error: unknown } | undefined;
+  /** whether a listener runs */
+  telling = false;
 
   private constructor(instance: WebAssembly.Instance) {
     this.memory = instance.exports["memory"] as WebAssembly.Memory;
     this.call = instance.exports as unknown as Functions;
     this.call["_initialize"]?.();
-    this.doubles = new Float64Array(this.memory.buffer);
+    this.reals = new Float64Array(this.memory.buffer);
     this.words = new Uint32Array(this.memory.buffer);
     this.octets = new Uint8Array(this.memory.buffer);
-    this.error = this.allocate(kError);
-    this.results = this.allocate(kResults);
-    this.options = this.allocate(kOptions);
+    this.error = this.allocate(kError + kResults + kOptions);
+    this.results = this.error + kError;
+    this.options = this.results + kResults;
     this.kept = this.allocate(kKept);
   }
   static async instantiate(module: WebAssembly.Module): Promise<Library> {
+    if (!WebAssembly.Module.exports(module).some(({ name }) => name === "minksum_version")) {
+      throw badInput("`wasm` is a module in WebAssembly, but not minksum.wasm");
+    }
     let instance: WebAssembly.Instance | undefined;
     let library: Library | undefined;
     const given = imports(
@@ -92,7 +97,9 @@ export class Library {
   }
   /** Tells the listener of progress. Returns 0 if the operation shall go on. */
   private tell(stage: number, done: number, parts: number): number {
-    const { listener } = this;
+    const { listener, telling, error: structs } = this;
+    const kept = this.u8.slice(structs, structs + kError + kResults + kOptions);
+    this.telling = true;
     try {
       return listener?.({ stage: progressStages[stage]!, done, parts }) === false ? 1 : 0;
     } catch (error) {
@@ -100,20 +107,23 @@ export class Library {
       this.thrown = { error };
       return 1;
     } finally {
-      this.listener = listener; // it may have called the library
+      // It may have called the library, and the operation goes on with its own structs.
+      this.listener = listener;
+      this.telling = telling;
+      this.u8.set(kept, structs);
     }
   }
 
   // -- Memory. Its arrays are new whenever it has grown. ------------------------------------------
   private look(): void {
     if (this.octets.length !== 0) return; // growing takes the old ones their memory
-    this.doubles = new Float64Array(this.memory.buffer);
+    this.reals = new Float64Array(this.memory.buffer);
     this.words = new Uint32Array(this.memory.buffer);
     this.octets = new Uint8Array(this.memory.buffer);
   }
   get f64(): Float64Array {
     this.look();
-    return this.doubles;
+    return this.reals;
   }
   get u32(): Uint32Array {
     this.look();
@@ -122,6 +132,16 @@ export class Library {
   get u8(): Uint8Array {
     this.look();
     return this.octets;
+  }
+  /** Returns a copy of doubles. Exact numbers beyond their range are not among them. */
+  doubles(from: Address, count: number, what = "a coordinate"): Float64Array {
+    const list = this.f64.slice(from / 8, from / 8 + count);
+    for (let i = 0; i < count; ++i) {
+      if (!Number.isFinite(list[i])) {
+        throw new MinksumError("limit", `${what} is beyond the range of doubles`, { limit: "doubles" });
+      }
+    }
+    return list;
   }
   get bytes(): number {
     return this.memory.buffer.byteLength;

@@ -48,6 +48,11 @@ export class Results {
   }
 
   flat(geometry: Address): FlatResult {
+    return this.arrays(geometry, (count, from) => this.library.doubles(from, count));
+  }
+  private arrays(
+    geometry: Address, doubles: (count: number, from: Address) => Float64Array,
+  ): FlatResult {
     const { library } = this;
     const { results, error, call } = library;
     call["minksum_geometry_counts"]!(results, geometry);
@@ -59,7 +64,6 @@ export class Results {
     const lines = u32[at + 3]!;
     const lineVertices = u32[at + 4]!;
     const points = u32[at + 5]!;
-    const doubles = (count: number, from: Address) => library.f64.slice(from / 8, from / 8 + count);
     const offsets = (count: number, from: Address) => {
       const made = new Uint32Array(count);
       const { u32 } = library;
@@ -104,7 +108,8 @@ export class Results {
 
   /** The numbers stand in the text in the order of the arrays; rings repeat their first vertex. */
   exactFlat(geometry: Address): ExactFlatResult {
-    const { rings, polygons, lines, points } = this.flat(geometry);
+    const none = (count: number) => new Float64Array(count);
+    const { rings, polygons, lines, points } = this.arrays(geometry, none);
     const numbers = this.write(geometry, kWkt, true).match(/-?\d[\d/]*/g) ?? [];
     let next = 0;
     const take = (count: number, list: string[]) => {

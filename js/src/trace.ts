@@ -57,7 +57,7 @@ function readStages(library: Library, trace: Address): Stages {
   const at = results >>> 2;
   const [segments, nodes, pieces, loops, loopVertices, columns, rows] = library.u32.slice(at, at + 7);
   const [minX, minY, cell] = library.f64.slice(results / 8 + 4, results / 8 + 7);
-  const doubles = (count: number, from: Address) => library.f64.slice(from / 8, from / 8 + count);
+  const doubles = (count: number, from: Address) => library.doubles(from, count);
   const bytes = (count: number, from: Address) => library.u8.slice(from, from + count);
   const readSegments = (name: string, count: number): Segments =>
     library.withRoom(33 * count, (xy) => {
