@@ -1,6 +1,9 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 // All operations: each puts its operands into memory, calls the library, and takes the result out.
 import type { Address, Library } from "./abi.js";
+import {
+  checkOptions, finite, integer, kCaps, kFills, kJoins, kSides, numbers, oneOf, pointList,
+} from "./arguments.js";
 import { badInput, type MinksumError } from "./errors.js";
 import { Operands } from "./operands.js";
 import { Results } from "./results.js";
@@ -11,17 +14,11 @@ import type {
   RoundOptions, Side, Slice, SliceOptions, SpaceOptions, SumCheck, TableOptions, Trace,
 } from "./types.js";
 
-const kFills = ["automatic", "evenodd", "nonzero", "positive", "negative", "strict"] as const;
-const kSides = ["nearest", "outside", "inside"] as const;
-const kJoins = ["round", "miter", "square", "bevel"] as const;
-const kCaps = ["round", "butt", "square"] as const;
 const kContacts: Contact[] = ["free", "touching", "overlapping"];
 const kLocations: Location[] = ["outside", "boundary", "inside"];
 
-function indexOf(names: readonly string[], name: string, option: string): number {
-  const index = names.indexOf(name);
-  if (index < 0) throw badInput(`\`${option}\` is ${JSON.stringify(name)}, and none of ${names.join(", ")}`);
-  return index;
+function configuration(value: Configuration, name: string): number[] {
+  return (["x", "y", "degrees"] as const).map((part) => finite(value?.[part], `${name}.${part}`));
 }
 
 /** Frees what nobody disposed of. */
@@ -30,7 +27,10 @@ const collector = new FinalizationRegistry<() => void>((free) => free());
 /** Something in the module's memory. */
 class Handle implements Prepared {
   private readonly state: { free: (() => void) | undefined };
-  constructor(free: () => void) {
+  constructor(
+    private readonly library: Library,
+    free: () => void,
+  ) {
     const state: { free: (() => void) | undefined } = { free };
     this.state = state;
     collector.register(this, () => state.free?.(), this);
@@ -40,6 +40,9 @@ class Handle implements Prepared {
   }
   dispose(): void {
     const { free } = this.state;
+    if (free !== undefined && this.library.telling) {
+      throw badInput("`progress` cannot dispose of anything: the operation may use it");
+    }
     this.state.free = undefined;
     collector.unregister(this);
     free?.();
@@ -55,7 +58,7 @@ class PreparedOperand extends Handle {
     readonly prepared: Address,
     free: () => void,
   ) {
-    super(free);
+    super(owner.library, free);
   }
 }
 
@@ -71,7 +74,7 @@ export class NoFitTable extends Handle {
     readonly turns: number,
     free: () => void,
   ) {
-    super(free);
+    super(mk.library, free);
   }
   /** Returns the no-fit polygon of two parts, each turned by so many of the table's turns. */
   at<O extends Options = {}>(
@@ -84,19 +87,19 @@ export class NoFitTable extends Handle {
     fixed: number, moving: number, points: ArrayLike<number>,
     options: { fixedTurn?: number; movingTurn?: number } = {},
   ): Contact[] {
-    return this.mk.contactsOf(this.entry(fixed, moving, options), points);
+    const xy = pointList(points, "points");
+    return this.mk.contactsOf(this.entry(fixed, moving, options), xy);
   }
   private entry(
     fixed: number, moving: number, options: { fixedTurn?: number; movingTurn?: number },
   ): Address {
     if (this.disposed) throw badInput("the table was disposed of");
-    const { library } = this.mk;
-    for (const part of [fixed, moving]) {
-      if (!(Number.isInteger(part) && part >= 0)) throw badInput(`there is no part ${part}`);
-    }
+    checkOptions(options);
+    const { results, error } = this.mk.library;
+    const part = (value: unknown, name: string) => integer(value, name, 0, this.size - 1);
     return this.mk.made("minksum_no_fit_table_at", [
-      this.table, fixed, options.fixedTurn ?? 0, moving, options.movingTurn ?? 0,
-      library.results, library.error,
+      this.table, part(fixed, "fixed"), options.fixedTurn ?? 0,
+      part(moving, "moving"), options.movingTurn ?? 0, results, error,
     ]);
   }
 }
@@ -152,12 +155,12 @@ export class Minksum {
       this.library.withRoom(32, (shape) => {
         const { library } = this;
         const at = shape >>> 2;
-        library.u32[at] = indexOf(kJoins, options.join ?? "round", "join");
-        library.u32[at + 1] = indexOf(kCaps, options.cap ?? "round", "cap");
-        library.u32[at + 2] = indexOf(kSides, options.side ?? "nearest", "side");
+        library.u32[at] = oneOf(kJoins, options.join ?? "round", "join");
+        library.u32[at + 1] = oneOf(kCaps, options.cap ?? "round", "cap");
+        library.u32[at + 2] = oneOf(kSides, options.side ?? "nearest", "side");
         library.f64[shape / 8 + 2] = options.miterLimit ?? 2;
         library.f64[shape / 8 + 3] = options.tolerance ?? 0;
-        return this.take("minksum_offset", [address!, distance, shape], options);
+        return this.take("minksum_offset", [address!, finite(distance, "distance"), shape], options);
       }),
     );
   }
@@ -165,9 +168,13 @@ export class Minksum {
   disc<O extends Options = {}>(
     radius: number, tolerance: number, options: O & { side?: Side } = {} as O,
   ): ResultOf<O> {
-    const side = indexOf(kSides, options.side ?? "nearest", "side");
+    checkOptions(options);
     const { results, error } = this.library;
-    return this.results.take(this.made("minksum_disc", [radius, tolerance, side, results, error]), options);
+    const made = this.made("minksum_disc", [
+      finite(radius, "radius"), finite(tolerance, "tolerance"),
+      oneOf(kSides, options.side ?? "nearest", "side"), results, error,
+    ]);
+    return this.results.take(made, options);
   }
 
   // -- Placing parts -------------------------------------------------------------------------------
@@ -192,16 +199,18 @@ export class Minksum {
   contact(
     fixed: Operand, moving: Operand, points: ArrayLike<number>, options: ReferenceOptions = {},
   ): Contact[] {
+    const xy = pointList(points, "points");
     return this.withNoFit("minksum_no_fit_polygon", fixed, moving, options, (geometry) =>
-      this.contactsOf(geometry, points),
+      this.contactsOf(geometry, xy),
     );
   }
   /** Makes a table of the no-fit polygons of all pairs of parts. */
   noFitTable(parts: Operand[], options: TableOptions = {}): NoFitTable {
     const { library } = this;
     const { call, results, error } = library;
-    const turns = options.turns ?? 4;
-    return this.operands.with(parts, options, (addresses) => {
+    if (!Array.isArray(parts)) throw badInput("`parts` is no array of operands");
+    return this.operands.with([...parts], options, (addresses) => {
+      const turns = options.turns ?? 4;
       const table = library.withRoom(4 * addresses.length, (list) => {
         library.u32.set(addresses, list >>> 2);
         const how = this.writeOptions(options);
@@ -220,9 +229,9 @@ export class Minksum {
       const how = this.writeOptions(options);
       const { results, error, call } = library;
       library.check(call["minksum_penetration_depth"]!(first!, second!, how, results, error));
-      const overlapping = library.u32[(results >>> 2) + 1] === 1;
-      const [x, y, distance] = library.f64.slice(results / 8 + 1, results / 8 + 4);
       if (library.u32[results >>> 2] === 0) return null;
+      const overlapping = library.u32[(results >>> 2) + 1] === 1;
+      const [x, y, distance] = library.doubles(results + 8, 3, "a depth");
       const point = this.made("minksum_depth_vector", [first!, second!, how, results, error]);
       const { points } = this.results.take(point, { as: "flat", coords: "exact" });
       const exact: [string, string] = [points[0]!, points[1]!];
@@ -236,7 +245,7 @@ export class Minksum {
     const { library } = this;
     return this.operands.with([a, b], options, ([first, second]) =>
       library.withRoom(16, (where) => {
-        library.f64.set(direction, where / 8);
+        library.f64.set(numbers(direction, "direction", 2), where / 8);
         const { results, error } = library;
         const how = this.writeOptions(options);
         const made = this.made("minksum_impact_factor", [first!, second!, where, how, results, error]);
@@ -254,6 +263,7 @@ export class Minksum {
   slices<O extends SliceOptions = {}>(
     robot: Operand, obstacles: Operand, angles: ArrayLike<number>, options: O = {} as O,
   ): Slice<ResultOf<O>>[] {
+    numbers(angles, "angles");
     const { library } = this;
     const { call, results, error } = library;
     return this.withSpace(robot, obstacles, options, (first, second, space) => {
@@ -290,8 +300,7 @@ export class Minksum {
     const { call, results, error } = library;
     return this.withSpace(robot, obstacles, options, (first, second, space) =>
       library.withRoom(48, (ends) => {
-        const numbers = [from.x, from.y, from.degrees, to.x, to.y, to.degrees];
-        library.f64.set(numbers, ends / 8);
+        library.f64.set([...configuration(from, "from"), ...configuration(to, "to")], ends / 8);
         const status = call["minksum_find_path"]!(
           first, second, ends, ends + 24, options.angles ?? 72, options.certain ? 1 : 0, space,
           this.writeOptions(options), results, error,
@@ -311,7 +320,7 @@ export class Minksum {
   private pathOf(answer: Uint32Array, options: ReachOptions): (Configuration | ExactConfiguration)[] {
     const [, count, path, exact] = answer;
     const waypoints = Array.from({ length: count! }, (_, i) => {
-      const [x, y, degrees] = this.library.f64.subarray(path! / 8 + 3 * i, path! / 8 + 3 * i + 3);
+      const [x, y, degrees] = this.library.doubles(path! + 24 * i, 3);
       return { x: x!, y: y!, degrees: degrees! };
     });
     if (options.coords !== "exact" || count === 0) return waypoints;
@@ -348,17 +357,17 @@ export class Minksum {
   /** Returns a rounded to doubles or decimals, so that it stays valid. An operand that no operation
    * made is resolved first. */
   rounded<O extends RoundOptions = {}>(a: Operand, options: O = {} as O): ResultOf<O> {
-    const side = indexOf(kSides, options.side ?? "nearest", "side");
-    return this.withResolved(a, options, (address) =>
-      this.take("minksum_round", [address, side, options.decimals ?? -1], options),
-    );
+    return this.withResolved(a, options, (address) => {
+      const side = oneOf(kSides, options.side ?? "nearest", "side");
+      return this.take("minksum_round", [address, side, options.decimals ?? -1], options);
+    });
   }
   /** Returns the image by the map (x, y) ↦ (m₀ x + m₁ y + m₂, m₃ x + m₄ y + m₅). */
   transform<O extends Options = {}>(a: Operand, m: ArrayLike<number>, options: O = {} as O): ResultOf<O> {
-    if (m.length !== 6) throw badInput("a map has six numbers");
+    const six = numbers(m, "m", 6);
     return this.operands.with([a], options, ([address]) =>
       this.library.withRoom(48, (map) => {
-        this.library.f64.set(m, map / 8);
+        this.library.f64.set(six, map / 8);
         return this.take("minksum_transform", [address!, map], options);
       }),
     );
@@ -369,6 +378,7 @@ export class Minksum {
   }
   /** Returns a picture of an operand. */
   toSvg(a: Operand, options: Options = {}): string {
+    checkOptions(options);
     return this.convert(a, { ...options, as: "svg" });
   }
 
@@ -379,7 +389,7 @@ export class Minksum {
     const { results, error, call } = library;
     return this.withResolved(a, options, (address) => {
       library.check(call["minksum_area"]!(address, results, error));
-      return library.f64[results / 8]!;
+      return library.doubles(results, 1, "an area")[0]!;
     });
   }
   /** Returns the bounding box of a's polygons: min x, min y, max x, max y; `null` without any. */
@@ -389,19 +399,20 @@ export class Minksum {
     return this.operands.with([a], options, ([address]) => {
       library.check(call["minksum_bounding_box"]!(address!, results, results + 32, error));
       if (library.u32[(results >>> 2) + 8] === 0) return null;
-      return [...library.f64.subarray(results / 8, results / 8 + 4)] as [number, number, number, number];
+      return [...library.doubles(results, 4)] as [number, number, number, number];
     });
   }
   /** Tells where points lie, whose x and y follow each other. */
   locate(a: Operand, points: ArrayLike<number>, options: Options = {}): Location[] {
+    const xy = pointList(points, "points");
     const { library } = this;
     const { results, error, call } = library;
     return this.withResolved(a, options, (address) => {
       const how = this.writeOptions(options);
       const locator = this.made("minksum_locator_new", [address, how, results, error]);
       try {
-        return Array.from({ length: points.length >>> 1 }, (_, i) => {
-          const [x, y] = [points[2 * i]!, points[2 * i + 1]!];
+        return Array.from({ length: xy.length / 2 }, (_, i) => {
+          const [x, y] = [xy[2 * i]!, xy[2 * i + 1]!];
           library.check(call["minksum_locate"]!(locator, x, y, results, error));
           return kLocations[library.u32[results >>> 2]!]!;
         });
@@ -414,17 +425,17 @@ export class Minksum {
   validate(a: Operand, options: Options & { most?: number } = {}): Fault[] {
     const { library } = this;
     const { results, error, call } = library;
-    const most = options.most ?? 100;
-    return this.operands.with([a], options, ([address]) =>
-      library.withRoom(600 * most, (faults) => {
+    return this.operands.with([a], options, ([address]) => {
+      const most = options.most ?? 100;
+      return library.withRoom(600 * most, (faults) => {
         const how = this.writeOptions(options);
         library.check(call["minksum_validate"]!(address!, how, faults, most, results, error));
         return Array.from({ length: library.u32[results >>> 2]! }, (_, i) => {
           const { message, polygon, ring, vertex }: MinksumError = library.errorAt(faults + 600 * i);
           return { message, polygon, ring, vertex };
         });
-      }),
-    );
+      });
+    });
   }
   /** Checks by independent methods whether `result`, of any program, is a ⊕ b. */
   checkSum(result: Operand, a: Operand, b: Operand, options: CheckOptions = {}): SumCheck {
@@ -467,6 +478,7 @@ export class Minksum {
   prepare(a: Operand, options: Options = {}): Prepared {
     const { library } = this;
     const { call, results, error } = library;
+    checkOptions(options);
     const geometry = this.operands.make(a, 0, options);
     try {
       const how = this.writeOptions(options);
@@ -499,13 +511,13 @@ export class Minksum {
     return library.u32[library.results >>> 2]!;
   }
   /** @internal */
-  contactsOf(noFit: Address, points: ArrayLike<number>): Contact[] {
+  contactsOf(noFit: Address, xys: ArrayLike<number>): Contact[] {
     const { library } = this;
     const { call, error } = library;
-    const count = points.length >>> 1;
+    const count = xys.length / 2;
     try {
       return library.withRoom(20 * count, (xy) => {
-        library.f64.set(points, xy / 8);
+        library.f64.set(xys, xy / 8);
         const contacts = xy + 16 * count;
         library.check(call["minksum_contacts"]!(noFit, xy, count, contacts, 0, error));
         return Array.from(library.u32.subarray(contacts >>> 2, (contacts >>> 2) + count), (c) => kContacts[c]!);
@@ -553,7 +565,9 @@ export class Minksum {
     work: (robot: Address, obstacles: Address, space: Address) => T,
   ): T {
     const { library } = this;
-    const list = [robot, obstacles, ...(options.workspace ? [options.workspace] : [])];
+    checkOptions(options);
+    const { workspace: area } = options;
+    const list = [robot, obstacles, ...(area === undefined ? [] : [area])];
     return this.operands.with(list, options, ([first, second, workspace]) =>
       library.withRoom(32, (space) => {
         library.f64.set(options.reference ?? [0, 0], space / 8);
@@ -565,7 +579,7 @@ export class Minksum {
   }
   private writeOptions(options: Options): Address {
     return this.library.writeOptions({
-      fill: indexOf(kFills, options.fill ?? "automatic", "fill"),
+      fill: oneOf(kFills, options.fill ?? "automatic", "fill"),
       regularize: options.regularize ?? false,
       tight: options.tight,
       maxSegments: options.maxSegments ?? 0,

@@ -45,6 +45,28 @@ test("a listener may call the library", () => {
   assert.deepEqual(mk.minkowskiSum(a, b, { progress }), mk.minkowskiSum(a, b));
   assert.ok(calls > 3);
 });
+test("what a listener calls does not change what goes on", () => {
+  const [robot, wall] = [box(0, 0, 1, 1), box(3, 3, 4, 4)];
+  const [from, to] = [{ x: 0, y: 0, degrees: 0 }, { x: 6, y: 6, degrees: 0 }];
+  const crossed = "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))";
+  const works = [
+    (options) => mk.reach(robot, wall, from, to, { angles: 8, coords: "exact", ...options }),
+    (options) => mk.validate(crossed, options),
+    (options) => mk.penetrationDepth(robot, box(0.5, 0.25, 3, 3), options),
+    (options) => mk.checkSum(robot, robot, robot, options),
+  ];
+  for (const work of works) {
+    const inner = () => void mk.area(mk.minkowskiSum(crossed, wall), { fill: "evenodd", maxSegments: 1e6 });
+    assert.deepEqual(work({ progress: inner }), work({}));
+  }
+});
+test("a listener cannot dispose of what the operation may use", () => {
+  const [first, second] = [mk.prepare(box(0, 0, 1, 1)), mk.prepare(box(0, 0, 2, 2))];
+  const progress = () => first.dispose();
+  assert.throws(() => mk.minkowskiSum(first, second, { progress }), { code: "bad-input" });
+  assert.equal(mk.area(mk.minkowskiSum(first, second)), 9);
+  first.dispose();
+});
 test("a worker tells progress, and can be stopped by it", async () => {
   const worker = await load();
   const told = [];
