@@ -8,7 +8,7 @@ export type Coordinate = number | string;
 export type Position = Coordinate[];
 
 /** What any object of GeoJSON may have besides. */
-type Boxed = { bbox?: number[] };
+type Boxed = { bbox?: number[] | undefined };
 export type Polygon = Boxed & { type: "Polygon"; coordinates: Position[][] };
 export type MultiPolygon = Boxed & { type: "MultiPolygon"; coordinates: Position[][][] };
 export type LineString = Boxed & { type: "LineString"; coordinates: Position[] };
@@ -28,7 +28,7 @@ export type Geometry =
 export type Feature = Boxed & {
   type: "Feature";
   geometry: Geometry | null;
-  id?: string | number;
+  id?: string | number | undefined;
   properties?: unknown;
 };
 export type FeatureCollection = Boxed & { type: "FeatureCollection"; features: Feature[] };

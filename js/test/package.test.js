@@ -47,7 +47,7 @@ test("the programs of its page run as they stand", () => {
 });
 test("TypeScript knows the types of results", () => {
   writeFileSync(join(folder, "types.ts"), `
-    import { load, type Geometry, type FlatResult, MinksumError } from "minksum";
+    import { load, type ExactFlatResult, type Geometry, type FlatResult, MinksumError, type Options } from "minksum";
     import { load as start } from "minksum/worker";
     const mk = await load();
     const sum: Geometry = mk.minkowskiSum("POINT (0 0)", { type: "Point", coordinates: [1, "1/3"] });
@@ -57,7 +57,19 @@ test("TypeScript knows the types of results", () => {
     mk.offset(text, 1, { join: "mitre" });
     const factor: string | null = mk.timeOfImpact(text, text, [1, 0], { coords: "exact", progress: () => false });
     const later: FlatResult = await (await start()).minkowskiSum(text, text, { as: "flat" });
-    export default [later, factor, MinksumError];
+    // What @types/geojson has, and flat arrays with texts.
+    type Box = [number, number, number, number];
+    interface Area { type: "Polygon"; coordinates: number[][][]; bbox?: Box | undefined }
+    interface Feature { type: "Feature"; geometry: Area; properties: { [name: string]: any } | null; id?: string | number | undefined }
+    declare const features: Feature[];
+    mk.area({ type: "FeatureCollection", features, bbox: [0, 0, 1, 1] });
+    mk.area(features[0]!) + mk.area({ coords: [0, "1/3", 1, 1, 0, 2], rings: [0, 3], polygons: [0, 1] });
+    declare const any: Options;
+    const form: string | Geometry | FlatResult | ExactFlatResult = mk.convert(text, any);
+    const impact: string | number | null = mk.timeOfImpact(text, text, [1, 0], any);
+    // @ts-expect-error: it may be text
+    const geometry: Geometry = mk.convert(text, any);
+    export default [later, factor, MinksumError, form, impact, geometry];
   `);
   run(bin("tsc"), ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--lib", "es2022,dom", "types.ts"]);
 });
