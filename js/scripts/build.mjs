@@ -6,7 +6,11 @@ import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "no
 const [wasm] = process.argv.slice(2);
 process.chdir(new URL("..", import.meta.url).pathname);
 rmSync("dist", { recursive: true, force: true });
-execFileSync(process.execPath, ["node_modules/typescript/bin/tsc", "-p", "."], { stdio: "inherit" });
+const tsc = (...flags) =>
+  execFileSync(process.execPath, ["node_modules/typescript/bin/tsc", "-p", ".", ...flags], { stdio: "inherit" });
+// Editors show the comments of declarations. Nobody reads those of scripts, which pages load.
+tsc("--emitDeclarationOnly");
+tsc("--declaration", "false", "--removeComments");
 mkdirSync("dist", { recursive: true });
 copyFileSync(wasm, "dist/minksum.wasm");
 const base64 = readFileSync(wasm).toString("base64");
