@@ -138,7 +138,8 @@ export class Library {
     const list = this.f64.slice(from / 8, from / 8 + count);
     for (let i = 0; i < count; ++i) {
       if (!Number.isFinite(list[i])) {
-        throw new MinksumError("limit", `${what} is beyond the range of doubles`, { limit: "doubles" });
+        const message = `${what} is beyond the range of doubles`;
+        throw new MinksumError("limit", message, { limit: "doubles" });
       }
     }
     return list;

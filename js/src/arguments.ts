@@ -1,8 +1,10 @@
-// Arguments of operations: each is what it must be, or is refused by its name. WebAssembly would take
-// almost anything for a number.
+// Arguments of operations: each is what it must be, or is refused by its name. WebAssembly would
+// take almost anything for a number.
 import { badInput } from "./errors.js";
 
-export const kFills = ["automatic", "evenodd", "nonzero", "positive", "negative", "strict"] as const;
+export const kFills = [
+  "automatic", "evenodd", "nonzero", "positive", "negative", "strict",
+] as const;
 export const kSides = ["nearest", "outside", "inside"] as const;
 export const kJoins = ["round", "miter", "square", "bevel"] as const;
 export const kCaps = ["round", "butt", "square"] as const;
@@ -52,7 +54,7 @@ export function numbers(list: unknown, name: string, count?: number): ArrayLike<
 /** Returns a list in which x and y of points follow each other. */
 export function pointList(list: unknown, name: string): ArrayLike<number> {
   const xy = numbers(list, name);
-  if (xy.length % 2 !== 0) throw badInput(`\`${name}\` has an odd length: x and y follow each other`);
+  if (xy.length % 2 !== 0) throw badInput(`\`${name}\` has an odd length: an x has no y`);
   return xy;
 }
 

@@ -10,7 +10,7 @@ export class MinksumError extends Error {
   readonly polygon: number | undefined;
   /** the ring in its polygon: 0 = outer, 1… = holes */
   readonly ring: number | undefined;
-  /** the vertex in its ring */
+  /** the vertex in its ring, its polyline, or its list of points */
   readonly vertex: number | undefined;
   /** the line of a text */
   readonly line: number | undefined;

@@ -14,7 +14,8 @@ export * from "./types.js";
 
 /** Says how the library is loaded. */
 export interface LoadOptions {
-  /** where `minksum.wasm` is; beside this file by default */
+  /** where `minksum.wasm` is; beside this file by default. An address is one that `fetch` loads:
+   * in Node.js, read files and give their bytes. */
   wasm?: WasmSource;
 }
 

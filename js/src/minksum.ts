@@ -336,15 +336,16 @@ export class Minksum {
   union<O extends Options = {}>(a: Operand, b: Operand, options: O = {} as O): ResultOf<O> {
     return this.binary("minksum_unite", a, b, options);
   }
-  /** Returns the area that both have. */
+  /** Returns the area that both have. Polylines and points of the operands are dropped. */
   intersection<O extends Options = {}>(a: Operand, b: Operand, options: O = {} as O): ResultOf<O> {
     return this.binary("minksum_intersect", a, b, options);
   }
-  /** Returns the area of a without that of b. */
+  /** Returns the area of a without that of b. Polylines and points of the operands are dropped. */
   difference<O extends Options = {}>(a: Operand, b: Operand, options: O = {} as O): ResultOf<O> {
     return this.binary("minksum_subtract", a, b, options);
   }
-  /** Returns the area that exactly one of both has. */
+  /** Returns the area that exactly one of both has. Polylines and points of the operands are
+   * dropped. */
   symmetricDifference<O extends Options = {}>(
     a: Operand, b: Operand, options: O = {} as O,
   ): ResultOf<O> {
@@ -421,7 +422,8 @@ export class Minksum {
       }
     });
   }
-  /** Returns the faults of a's polygons, at most `most`; none if they are valid. */
+  /** Returns the faults of a's polygons, at most `most`, which is 100 by default and a million
+   * at most; none if they are valid. */
   validate(a: Operand, options: Options & { most?: number } = {}): Fault[] {
     const { library } = this;
     const { results, error, call } = library;

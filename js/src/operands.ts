@@ -61,7 +61,8 @@ class Parts {
     return Array.from(value); // what is missing becomes undefined
   }
   private positions(value: any, place = {}): Position[] {
-    return this.list(value, "coordinates").map((p, vertex) => this.position(p, { ...place, vertex }));
+    const positions = this.list(value, "coordinates");
+    return positions.map((position, vertex) => this.position(position, { ...place, vertex }));
   }
   private addPolygon(rings: any): void {
     const polygon = this.polygons.length;
@@ -90,7 +91,7 @@ class Parts {
     }
     for (const coordinate of [value[0], value[1]]) {
       if (typeof coordinate === "string") {
-        if (!isExact(coordinate)) throw this.bad(`${JSON.stringify(coordinate)} is not a number`, place);
+        if (!isExact(coordinate)) throw this.bad(`${shown(coordinate)} is not a number`, place);
       } else if (typeof coordinate !== "number" || !Number.isFinite(coordinate)) {
         throw this.bad(`a coordinate is not a finite number: ${shown(coordinate)}`, place);
       }

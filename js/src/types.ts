@@ -35,8 +35,8 @@ export type FeatureCollection = Boxed & { type: "FeatureCollection"; features: F
 
 /**
  * Flat arrays. Ring r has the vertices from `rings[r]` up to, but without, `rings[r + 1]`, and no
- * vertex is repeated at its end. Polygon p has the rings from `polygons[p]` on, its outer ring
- * first. Both arrays begin with 0. `lines` is to `lineCoords` what `rings` is to `coords`.
+ * vertex is repeated at its end. No ring is empty. Polygon p has the rings from `polygons[p]` on,
+ * its outer ring first. Both arrays begin with 0. `lines` is to `lineCoords` what `rings` is to `coords`.
  */
 export interface Flat {
   /** x and y of each vertex of the rings in turn */
@@ -70,7 +70,8 @@ export interface ExactFlatResult {
 
 /** A set of points that stays in the library's memory: see {@link Minksum.prepare}. */
 export interface Prepared {
-  /** Gives the memory back. Without it, that happens some time after the last use. */
+  /** Gives the memory back. Without it, that happens some time after the last use. A listener of
+   * progress cannot call it. */
   dispose(): void;
   [Symbol.dispose](): void;
 }
@@ -135,13 +136,16 @@ export interface Options extends ReadOptions, ResultOptions {
   fill?: "automatic" | "evenodd" | "nonzero" | "positive" | "negative" | "strict";
   /** drops polylines and points of the operands */
   regularize?: boolean;
-  /** whether tight places are kept, where something fits without play; no-fit polygons have them */
+  /** whether `erode`, `opening`, `closing`, `slices`, and no-fit and inner-fit polygons keep tight
+   * places, where something fits without play; by default only the latter two do. Sums never have
+   * them: `trace` tells those. */
   tight?: boolean;
-  /** segments of a sum above which it is refused */
+  /** segments of a sum above which it is refused, from 1 on */
   maxSegments?: number;
-  /** crossings of a sum above which it is refused */
+  /** crossings of a sum above which it is refused, from 1 on */
   maxCrossings?: number;
-  /** called when a stage begins, and every few milliseconds; `false` stops the operation */
+  /** called when a stage begins, and every few milliseconds; `false` stops the operation. It may
+   * call the library, but not dispose of anything. */
   progress?: (progress: Progress) => boolean | void;
 }
 export type Side = "nearest" | "outside" | "inside";
@@ -165,7 +169,7 @@ export interface TableOptions extends Options {
 }
 export interface RoundOptions extends Options {
   side?: Side;
-  /** digits after the point; without it, coordinates become doubles */
+  /** digits after the point, from 0 to 4096; without it, coordinates become doubles */
   decimals?: number;
 }
 export interface CheckOptions extends Options {

@@ -49,7 +49,7 @@ export interface Abortable {
 /** Says how the worker is started. */
 export interface WorkerOptions {
   /** where `minksum.wasm` is; beside the package's files by default. It must be what a worker can
-   * be sent: an address, bytes, or a compiled module. */
+   * be sent: an address that `fetch` loads, bytes, or a compiled module. */
   wasm?: string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module;
   /** starts a worker that runs the script `minksum/worker`'s way; only in browsers */
   worker?: () => Worker;
@@ -96,7 +96,8 @@ export type Plain<O> = O & Abortable;
 /** What an operation promises. */
 export type Made<O> = Promise<ResultOf<O>>;
 
-/** The library in a worker. Each method does what that of `Minksum` does. */
+/** The library in a worker. Each method does what that of `Minksum` does, with copies of its
+ * arguments. */
 export class MinksumWorker {
   private channel: Channel;
   private readonly pending = new Map<number, Pending>();
@@ -249,7 +250,7 @@ export class MinksumWorker {
     const last = args[args.length - 1] as Plain<Options> | undefined;
     const signal = last?.signal;
     if (signal !== undefined && !(signal instanceof AbortSignal)) {
-      return Promise.reject(badInput("`signal` is no AbortSignal, such as that of an AbortController"));
+      return Promise.reject(badInput("`signal` is no AbortSignal: give controller.signal"));
     }
     if (signal?.aborted) return Promise.reject(signal.reason);
     const heard = typeof last?.progress === "function" ? last.progress : undefined;
