@@ -7,6 +7,7 @@ import { equal, exactText, isExact } from "./exact.js";
 import type { Flat, Operand, Position, ReadOptions } from "./types.js";
 
 const encoder = new TextEncoder();
+const kLists = ["coords", "rings", "polygons", "lineCoords", "lines", "points"] as const;
 
 /** What GeoJSON holds, with numbers of any kind. It tells what is wrong, and where. Rings do not
  * repeat their first position. */
@@ -208,14 +209,14 @@ export class Operands {
   private makeFlat(flat: Flat, index: number, options: ReadOptions): Address {
     const { coords, rings, polygons, lineCoords = [], lines = [0], points = [] } = flat;
     const lists = { coords, rings, polygons, lineCoords, lines, points };
-    for (const [name, list] of Object.entries(lists)) {
-      if (!isList(list)) throw badInput(`\`${name}\` is no array`, { operand: index });
+    for (const name of kLists) {
+      if (!isList(lists[name])) throw badInput(`\`${name}\` is no array`, { operand: index });
     }
     this.checkOffsets(rings.length - 1, polygons, "polygons", "polygon", index);
     this.checkOffsets(coords.length / 2, rings, "rings", "ring", index, polygons);
     this.checkOffsets(lineCoords.length / 2, lines, "lines", "polyline", index);
     if (points.length % 2 !== 0) throw badInput("`points` has an odd length", { operand: index });
-    return [coords, lineCoords, points].every(isDoubles)
+    return isDoubles(coords) && isDoubles(lineCoords) && isDoubles(points)
       ? this.putFlat(lists as FlatDoubles, index)
       : this.read(encoder.encode(this.text(lists, index)), index, options);
   }
