@@ -1,6 +1,7 @@
 // Arguments of operations: each is what it must be, or is refused by its name. WebAssembly would
 // take almost anything for a number.
 import { badInput } from "./errors.js";
+import type { Configuration } from "./types.js";
 
 export const kFills = [
   "automatic", "evenodd", "nonzero", "positive", "negative", "strict",
@@ -56,6 +57,10 @@ export function pointList(list: unknown, name: string): ArrayLike<number> {
   const xy = numbers(list, name);
   if (xy.length % 2 !== 0) throw badInput(`\`${name}\` has an odd length: an x has no y`);
   return xy;
+}
+/** Returns x, y and degrees. */
+export function configuration(value: Configuration, name: string): number[] {
+  return (["x", "y", "degrees"] as const).map((part) => finite(value?.[part], `${name}.${part}`));
 }
 
 const choice = (...names: readonly string[]): Check => (value, name) => oneOf(names, value, name);

@@ -46,7 +46,8 @@ export class Doubles {
       case "MultiLineString":
         return every(value.coordinates, (line) => this.addLine(line, dropZ));
       case "Point":
-        return value.coordinates?.length === 0 || this.addPoints([value.coordinates], dropZ);
+        if (Array.isArray(value.coordinates) && value.coordinates.length === 0) return true;
+        return this.addPoints([value.coordinates], dropZ);
       case "MultiPoint":
         return this.addPoints(value.coordinates, dropZ);
     }

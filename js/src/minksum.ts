@@ -2,7 +2,8 @@
 // All operations: each puts its operands into memory, calls the library, and takes the result out.
 import type { Address, Library } from "./abi.js";
 import {
-  checkOptions, finite, integer, kCaps, kFills, kJoins, kSides, numbers, oneOf, pointList,
+  checkOptions, configuration, finite, integer, kCaps, kFills, kJoins, kSides, numbers, oneOf,
+  pointList,
 } from "./arguments.js";
 import { badInput, type MinksumError } from "./errors.js";
 import { Operands } from "./operands.js";
@@ -11,15 +12,11 @@ import { readTrace } from "./trace.js";
 import type {
   CheckOptions, Configuration, Contact, Depth, ExactConfiguration, Fault, Location, NumberOf,
   OffsetOptions, Operand, Options, Prepared, ReachOf, ReachOptions, ReferenceOptions, ResultOf,
-  RoundOptions, Side, Slice, SliceOptions, SpaceOptions, SumCheck, TableOptions, Trace,
+  RoundOptions, Side, Slice, SliceOptions, SpaceOptions, SumCheck, TableOptions, Trace, Turned,
 } from "./types.js";
 
 const kContacts: Contact[] = ["free", "touching", "overlapping"];
 const kLocations: Location[] = ["outside", "boundary", "inside"];
-
-function configuration(value: Configuration, name: string): number[] {
-  return (["x", "y", "degrees"] as const).map((part) => finite(value?.[part], `${name}.${part}`));
-}
 
 /** Frees what nobody disposed of. */
 const collector = new FinalizationRegistry<() => void>((free) => free());
@@ -78,20 +75,20 @@ export class NoFitTable extends Handle {
   }
   /** Returns the no-fit polygon of two parts, each turned by so many of the table's turns. */
   at<O extends Options = {}>(
-    fixed: number, moving: number, options: O & { fixedTurn?: number; movingTurn?: number } = {} as O,
+    fixed: number, moving: number, options: O & Turned = {} as O,
   ): ResultOf<O> {
     return this.mk.results.take(this.entry(fixed, moving, options), options);
   }
   /** Tells how two parts stand to each other when `moving` is placed at each of the points. */
   contact(
     fixed: number, moving: number, points: ArrayLike<number>,
-    options: { fixedTurn?: number; movingTurn?: number } = {},
+    options: Turned = {},
   ): Contact[] {
     const xy = pointList(points, "points");
     return this.mk.contactsOf(this.entry(fixed, moving, options), xy);
   }
   private entry(
-    fixed: number, moving: number, options: { fixedTurn?: number; movingTurn?: number },
+    fixed: number, moving: number, options: Turned,
   ): Address {
     if (this.disposed) throw badInput("the table was disposed of");
     checkOptions(options);

@@ -83,6 +83,7 @@ class Parts {
   }
   private addLine(line: any): void {
     const positions = this.positions(line);
+    if (positions.length === 1) throw this.bad("a polyline has two points or more");
     if (positions.length > 0) this.lines.push(positions);
   }
   private position(value: any, place: object): Position {

@@ -36,7 +36,8 @@ export type FeatureCollection = Boxed & { type: "FeatureCollection"; features: F
 /**
  * Flat arrays. Ring r has the vertices from `rings[r]` up to, but without, `rings[r + 1]`, and no
  * vertex is repeated at its end. No ring is empty. Polygon p has the rings from `polygons[p]` on,
- * its outer ring first. Both arrays begin with 0. `lines` is to `lineCoords` what `rings` is to `coords`.
+ * its outer ring first. Both arrays begin with 0. `lines` is to `lineCoords` what `rings` is to
+ * `coords`.
  */
 export interface Flat {
   /** x and y of each vertex of the rings in turn */
@@ -166,6 +167,11 @@ export interface ReferenceOptions extends Options {
 export interface TableOptions extends Options {
   /** the number of directions in which parts are laid */
   turns?: 1 | 2 | 4;
+}
+/** Says by how many of a table's turns two parts are turned. */
+export interface Turned {
+  fixedTurn?: number;
+  movingTurn?: number;
 }
 export interface RoundOptions extends Options {
   side?: Side;

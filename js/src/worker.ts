@@ -9,7 +9,7 @@ import { badInput, MinksumError, type ErrorCode, type ErrorPlace } from "./error
 import type {
   CheckOptions, Configuration, Contact, Depth, Fault, Location, NumberOf, OffsetOptions, Operand,
   Options, Progress, ReachOf, ReachOptions, ReferenceOptions, ResultOf, RoundOptions, Side, Slice,
-  SliceOptions, SumCheck, TableOptions, Trace,
+  SliceOptions, SumCheck, TableOptions, Trace, Turned,
 } from "./types.js";
 
 export { MinksumError, type ErrorCode, type ErrorPlace } from "./errors.js";
@@ -85,10 +85,6 @@ export class NoFitTableInWorker {
   async dispose(): Promise<void> {
     await this.ask("dispose", []);
   }
-}
-export interface Turned {
-  fixedTurn?: number;
-  movingTurn?: number;
 }
 
 /** Options that can have a signal. */

@@ -108,6 +108,11 @@ test("flat arrays have numbers and texts of numbers only", () => {
   for (const points of [7, {}, "00", [1], [1, null], null]) refused({ ...triangle, points }, {});
   for (const name of ["coords", "rings", "polygons"]) refused({ ...triangle, [name]: null }, {});
 });
+test("polylines of one point are refused, and a point's coordinates are an array", () => {
+  for (const x of [0, "0"]) refused({ type: "LineString", coordinates: [[x, 0]] }, { line: undefined });
+  refused({ type: "Point", coordinates: "" }, {});
+  assert.deepEqual(mk.convert({ type: "Point", coordinates: [] }), { type: "Polygon", coordinates: [] });
+});
 test("objects of GeoJSON may have members that flat arrays have", () => {
   const feature = { type: "Feature", geometry: good, properties: null, coords: "WGS84" };
   assert.equal(mk.area(feature), 1);
