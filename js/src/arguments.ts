@@ -94,13 +94,13 @@ const kOptions = new Map<string, Check>(Object.entries({
   turns: range(1, 4),
   fixedTurn: range(0, 3),
   movingTurn: range(0, 3),
-  decimals: range(0, 4096),
+  decimals: range(0, 4096), // as kMaxDecimals in minksum/round.hpp
   within: finite,
   workspace: () => true, // an operand, which is checked as such
   free: flag,
   angles: range(1, 2 ** 31 - 1),
   certain: flag,
-  most: range(0, 1e6),
+  most: range(0, 1e6), // each takes 600 bytes of the module's memory, which ends at 4 GB
 }));
 
 /** Refuses options that are none. An operation may get options that only others use. */
