@@ -148,6 +148,21 @@ TEST(BoostGeometryFloats, AreTheNearest) {
   for (const auto& point : polygon.outer()) xs.push_back(point.x());
   EXPECT_EQ(xs, (std::vector<float>{0, one_up, -one_up, 1, 1}));
 }
+// Floats end at the middle between the largest one and the next power of two.
+TEST(BoostGeometryFloats, EndWhereNumbersRoundToNoFloat) {
+  using Float = Multi<float, true, false>::value_type;
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  const Rational middle(0x1.ffffffp+127);
+  const auto written = [](const Rational& x) {
+    return to_boost<Float>(Region(Polygon{{{-x, 0}, {x, 0}, {0, 1}}, {}})).outer();
+  };
+  const auto ring = written(middle - Rational(1));
+  EXPECT_EQ(ring[0].x(), -kLargest);
+  EXPECT_TRUE(
+      std::any_of(ring.begin(), ring.end(), [](const auto& p) { return p.x() == kLargest; }));
+  EXPECT_THROW((void)written(middle), Error);
+  EXPECT_THROW((void)written(middle + Rational(1)), Error);
+}
 
 TEST(BoostGeometryErrors, Tell) {
   PlainMulti multi;

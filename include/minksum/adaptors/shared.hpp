@@ -111,7 +111,13 @@ inline double nearest_double(const Rational& value, const Culprit& place) {
 inline float nearest_float(const Rational& value, const Culprit& place) {
   const double near = nearest_double(value, place);
   const auto nearest = static_cast<float>(near);
-  if (!std::isfinite(nearest)) reject_range("floats", place);
+  if (!std::isfinite(nearest)) {
+    // Numbers up to the middle between the largest float and the next power of two become that
+    // float. The middle itself does not, but the nearest double may be the middle.
+    const Rational middle(0x1.ffffffp+127);
+    if (value >= middle || -value >= middle) reject_range("floats", place);
+    return std::copysign(std::numeric_limits<float>::max(), nearest);
+  }
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const float other = std::nextafter(nearest, near > nearest ? kInfinity : -kInfinity);
   // The double may lie in the middle between two floats while the number itself does not.
