@@ -58,10 +58,11 @@ class MINKSUM_API Workspace {
  public:
   Workspace();
   ~Workspace();
+  /// Takes over the memory. The other workspace may be used on, and begins without memory.
   Workspace(Workspace&&) noexcept;
-  Workspace& operator=(Workspace&&) noexcept;
+  Workspace& operator=(Workspace&&) noexcept;  ///< takes over the memory in the same way
   struct State;
-  [[nodiscard]] State& state() { return *state_; }
+  [[nodiscard]] State& state();
 
  private:
   std::unique_ptr<State> state_;

@@ -47,6 +47,10 @@ class MINKSUM_API NoFitPolygon {
   /// n) to prepare n vertices.
   NoFitPolygon(const Geometry& fixed, const Geometry& moving,
                const std::optional<Point>& reference = {}, const Options& options = {});
+  /// Copies share what is prepared, and what was moved from is as good as a copy.
+  NoFitPolygon(const NoFitPolygon&) = default;
+  NoFitPolygon& operator=(const NoFitPolygon&) = default;
+  ~NoFitPolygon() = default;
 
   /// Returns the polygon itself.
   [[nodiscard]] const Geometry& geometry() const { return geometry_; }

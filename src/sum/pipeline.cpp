@@ -1,11 +1,22 @@
 #include "sum/pipeline.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "sum/trace/fill_trace.hpp"
 #include "validation/fault.hpp"
 
 namespace minksum {
+
+Workspace::Workspace() = default;
+Workspace::~Workspace() = default;
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+Workspace::State& Workspace::state() {
+  if (!state_) state_ = std::make_unique<State>();
+  return *state_;
+}
+
 namespace {
 
 /// Whether reflex vertices take part. They have no segments in the sum of two thin operands.

@@ -7,6 +7,8 @@
 #include <limits>
 #include <new>
 #include <sstream>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "minksum/io.hpp"
@@ -195,6 +197,19 @@ TEST(Face, WhatIsMovedFromIsStillGood) {
   PointLocator locator{Geometry(Region{kTriangle})};
   const PointLocator other = std::move(locator);
   EXPECT_EQ(locator.locate({0, 0}), other.locate({0, 0}));  // NOLINT
+  const Region region{kTriangle};
+  NoFitPolygon polygon(region, region);
+  const NoFitPolygon same = std::move(polygon);
+  EXPECT_EQ(polygon.geometry(), same.geometry());  // NOLINT
+  EXPECT_EQ(polygon.contact({0, 0}), same.contact({0, 0}));
+  Workspace workspace;
+  Region result;
+  EXPECT_TRUE(minkowski_sum(region, region, Options{}, workspace, result).ok());
+  Workspace taken = std::move(workspace);
+  for (Workspace* const memory : {&workspace, &taken}) {  // NOLINT
+    EXPECT_TRUE(minkowski_sum(region, region, Options{}, *memory, result).ok());
+    EXPECT_EQ(result, minkowski_sum(region, region));
+  }
 }
 
 }  // namespace

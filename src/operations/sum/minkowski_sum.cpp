@@ -18,11 +18,6 @@
 
 namespace minksum {
 
-Workspace::Workspace() : state_(std::make_unique<State>()) {}
-Workspace::~Workspace() = default;
-Workspace::Workspace(Workspace&&) noexcept = default;
-Workspace& Workspace::operator=(Workspace&&) noexcept = default;
-
 const char* to_string(Stage stage) {
   constexpr std::array kNames{"operands", "convolution", "cover",  "arrangement",
                               "loops",    "filters",     "output", "overlay",
