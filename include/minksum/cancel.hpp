@@ -12,9 +12,9 @@ namespace minksum {
 
 /// Asks a running computation to stop. Any thread may use it, and copies share one state.
 ///
-/// An operation that has a token looks at it at least every 50 milliseconds of processor time. Once
-/// the token is cancelled, the operation ends with Error(kCancelled). docs/guarantees.md names the
-/// exceptions.
+/// An operation that has a token looks at it before it begins, and then at least every 50
+/// milliseconds of processor time. Once the token is cancelled, the operation ends with
+/// Error(kCancelled). docs/guarantees.md names the exceptions.
 class MINKSUM_API CancelToken {
  public:
   CancelToken() : state_(std::make_shared<State>()) {}

@@ -26,8 +26,11 @@ class Cancellation {
   /// Makes one that nobody can cancel.
   Cancellation() = default;
   /// `options` must live as long. `stage` is what the progress callback is told of at first.
-  explicit Cancellation(const Options& options, Stage stage = Stage::kOperands)
-      : options_(&options), stage_(stage) {}
+  /// Throws Error(kCancelled) if the token is cancelled already. Not inlined, as that is long.
+  [[gnu::noinline]] explicit Cancellation(const Options& options, Stage stage = Stage::kOperands)
+      : options_(&options), stage_(stage) {
+    if (is_cancelled()) stop();
+  }
   explicit Cancellation(const Options&& options, Stage stage = Stage::kOperands) = delete;
   Cancellation(const Cancellation&) = delete;
   Cancellation& operator=(const Cancellation&) = delete;
@@ -43,8 +46,7 @@ class Cancellation {
   /// Looks now. Throws Error(kCancelled). Inlined, this would take registers from loops that count.
   [[gnu::noinline, gnu::cold]] void look() {
     left_ = kUnits;
-    const bool cancelled = options_->cancel && options_->cancel->cancelled();
-    if (cancelled || (options_->progress && !options_->progress({stage_}))) stop();
+    if (is_cancelled() || (options_->progress && !options_->progress({stage_}))) stop();
   }
   /// Sets the stage of which the progress callback is told from now on, and looks.
   void enter(Stage stage) {
@@ -82,6 +84,9 @@ class Cancellation {
  private:
   static inline const Options kNobody;
 
+  [[nodiscard]] bool is_cancelled() const {
+    return options_->cancel && options_->cancel->cancelled();
+  }
   [[noreturn, gnu::noinline, gnu::cold]] void stop() const {
     throw Error(ErrorCode::kCancelled, "cancelled", {}, to_string(stage_));
   }

@@ -107,13 +107,12 @@ class Team::Helpers {
     return error_ || next_ >= tasks_ || stop_.cancel->cancelled() ? tasks_ : next_++;
   }
   void do_tasks(std::size_t member) {
-    Cancellation cancellation(stop_, stage_);
-    for (std::size_t task = take(); task < tasks_; task = take()) {
-      try {
-        (*work_)(task, member, cancellation);
-      } catch (...) {
-        fail(task);
-      }
+    std::size_t task = take();
+    try {
+      Cancellation cancellation(stop_, stage_);
+      for (; task < tasks_; task = take()) (*work_)(task, member, cancellation);
+    } catch (...) {
+      fail(task);  // no task is taken after that
     }
   }
   /// Keeps the present error, unless an earlier task has failed.

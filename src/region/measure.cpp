@@ -220,8 +220,8 @@ double approximate_area(const Region& region, const Options& options) {
 }
 
 std::optional<Box> bounding_box(const Region& region, const Options& options) {
-  if (region.empty()) return std::nullopt;
   Cancellation cancellation(options);
+  if (region.empty()) return std::nullopt;
   Box box;
   box.min.x = extreme(region, RegionAccess::x, std::less<>(), cancellation);
   box.min.y = extreme(region, RegionAccess::y, std::less<>(), cancellation);

@@ -20,9 +20,9 @@ void load_and_validate(const Region& region, const SumSettings& options, std::si
 }
 
 std::vector<Fault> validate(const Region& region, std::size_t max_faults, const Options& options) {
+  Cancellation cancellation(options);
   std::vector<Fault> faults;
   if (region.ring_count() == 0) return faults;
-  Cancellation cancellation(options);
   cancellation.look();
   OperandScratch scratch;
   PreparedOperand operand;

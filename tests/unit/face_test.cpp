@@ -212,5 +212,43 @@ TEST(Face, WhatIsMovedFromIsStillGood) {
   }
 }
 
+TEST(Face, OperationsThatAreCancelledBeforehandDoNotBegin) {
+  const Region region{kTriangle};
+  const std::array<Geometry, 2> two{region, region};
+  const NoFitTable table(two);
+  Options options;
+  options.cancel.emplace().cancel();
+  const auto expect_cancelled = [](const char* what, const auto& call) {
+    const Outcome outcome = attempt(call);
+    ASSERT_FALSE(outcome.ok()) << what;
+    EXPECT_EQ(outcome.error->code(), ErrorCode::kCancelled) << what;
+  };
+  expect_cancelled("prepare", [&] { (void)PreparedRegion(region, options); });
+  expect_cancelled("locator", [&] { (void)PointLocator(region, options); });
+  expect_cancelled("sum", [&] { (void)minkowski_sum(region, Region(), options); });
+  expect_cancelled("sum of geometries", [&] { (void)minkowski_sum(two[0], Geometry(), options); });
+  expect_cancelled("area", [&] { (void)area(region, options); });
+  expect_cancelled("approximate area", [&] { (void)approximate_area(region, options); });
+  expect_cancelled("bounding box", [&] { (void)bounding_box(region, options); });
+  expect_cancelled("coordinate bits", [&] { (void)coordinate_bits(Region(), options); });
+  expect_cancelled("transform", [&] { (void)transform(region, Affine::scaling(3), options); });
+  expect_cancelled("reflect", [&] { (void)reflect(two[0], options); });
+  expect_cancelled("contains", [&] { (void)contains(region, region, options); });
+  expect_cancelled("validate", [&] { (void)validate(Region(), 1, options); });
+  expect_cancelled("round", [&] { (void)round(region, {}, options); });
+  expect_cancelled("offset", [&] { (void)offset(region, 0, {}, options); });
+  expect_cancelled("table", [&] { (void)table.at({0, 0}, {1, 0}, options); });
+  expect_cancelled("space", [&] { (void)ConfigurationSpace(region, region, {}, options); });
+  for (const char* const text : {"POLYGON ((0 0, 1 0, 0 1, 0 0))", "{\"type\": \"Point\"}", "1",
+                                 "<svg/>", "0 0\n1 0\n0 1\n", "a,WKT\n1,POINT (1 1)\n"}) {
+    expect_cancelled(text, [&] { (void)io::read(text, {.cancel = options.cancel}); });
+  }
+  for (const auto format : {io::Format::kWkt, io::Format::kGeoJson, io::Format::kPoly,
+                            io::Format::kWkb, io::Format::kHexWkb}) {
+    expect_cancelled(
+        "write", [&] { (void)io::to_text(Geometry(region), format, {.cancel = options.cancel}); });
+  }
+}
+
 }  // namespace
 }  // namespace minksum

@@ -130,6 +130,7 @@ void run(const CallerOperand& p, const CallerOperand& q, const SumRequest& optio
   if (options.tight_places != nullptr) *options.tight_places = Geometry{};
   require_method_for_tight(options);
   if (p.region.empty() || q.region.empty()) {
+    Cancellation{options};
     require_valid(p, q, options);
     result.clear();
   } else if (options.method == Method::kSigned) {
