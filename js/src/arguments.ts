@@ -103,16 +103,24 @@ const kOptions = new Map<string, Check>(Object.entries({
   most: range(0, 1e6), // each takes 600 bytes of the module's memory, which ends at 4 GB
 }));
 
+/** Refuses members of an object that have none of the names. */
+export function checkNames(
+  given: unknown, has: (name: string) => boolean, kind = "option", place = {},
+): void {
+  if (typeof given !== "object" || given === null || Array.isArray(given)) {
+    refuse(given, "options", "no object");
+  }
+  for (const name in given) {
+    if (!has(name) && (given as Record<string, unknown>)[name] !== undefined) {
+      throw badInput(`there is no ${kind} \`${name}\``, place);
+    }
+  }
+}
 /** Refuses options that are none. An operation may get options that only others use. */
 export function checkOptions(options: unknown): void {
-  if (typeof options !== "object" || options === null || Array.isArray(options)) {
-    refuse(options, "options", "no object");
-  }
-  for (const name in options) {
+  checkNames(options, (name) => kOptions.has(name));
+  for (const name in options as object) {
     const value = (options as Record<string, unknown>)[name];
-    if (value === undefined) continue;
-    const check = kOptions.get(name);
-    if (check === undefined) throw badInput(`there is no option \`${name}\``);
-    check(value, name);
+    if (value !== undefined) kOptions.get(name)!(value, name);
   }
 }

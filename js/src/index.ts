@@ -4,6 +4,7 @@
  * @packageDocumentation
  */
 import { packagedWasm } from "#wasm";
+import { checkNames } from "./arguments.js";
 import { make, type WasmSource } from "./load.js";
 import type { Minksum } from "./minksum.js";
 
@@ -21,5 +22,6 @@ export interface LoadOptions {
 
 /** Loads the library. Its functions then need no promises. */
 export async function load(options: LoadOptions = {}): Promise<Minksum> {
+  checkNames(options, (name) => name === "wasm");
   return make(options.wasm ?? (await packagedWasm()));
 }

@@ -4,6 +4,7 @@
  *
  * @packageDocumentation
  */
+import { checkNames } from "./arguments.js";
 import { make } from "./load.js";
 import type { Minksum } from "./minksum.js";
 import { wasmBase64 } from "./wasm-base64.js";
@@ -16,7 +17,8 @@ export * from "./types.js";
 export function wasmBytes(): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(atob(wasmBase64), (c) => c.charCodeAt(0));
 }
-/** Loads the library. Its functions then need no promises. */
-export async function load(): Promise<Minksum> {
+/** Loads the library. Its functions then need no promises. There are no options. */
+export async function load(options: { [name: string]: never } = {}): Promise<Minksum> {
+  checkNames(options, () => false);
   return make(wasmBytes());
 }

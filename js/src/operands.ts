@@ -1,6 +1,6 @@
 // Puts operands into the module's memory.
 import type { Address, Library } from "./abi.js";
-import { checkOptions, isList, kSides, oneOf, shown } from "./arguments.js";
+import { checkNames, checkOptions, isList, kSides, oneOf, shown } from "./arguments.js";
 import { Doubles, type FlatDoubles } from "./doubles.js";
 import { badInput } from "./errors.js";
 import { equal, exactText, isExact } from "./exact.js";
@@ -208,6 +208,8 @@ export class Operands {
   }
 
   private makeFlat(flat: Flat, index: number, options: ReadOptions): Address {
+    const isKnown = (name: string) => (kLists as readonly string[]).includes(name);
+    checkNames(flat, isKnown, "flat array", { operand: index });
     const { coords, rings, polygons, lineCoords = [], lines = [0], points = [] } = flat;
     const lists = { coords, rings, polygons, lineCoords, lines, points };
     for (const name of kLists) {

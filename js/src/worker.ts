@@ -5,6 +5,7 @@
  * @packageDocumentation
  */
 import { fromWorker, spawn } from "#spawn";
+import { checkNames } from "./arguments.js";
 import { badInput, MinksumError, type ErrorCode, type ErrorPlace } from "./errors.js";
 import type {
   CheckOptions, Configuration, Contact, Depth, Fault, Location, NumberOf, OffsetOptions, Operand,
@@ -357,6 +358,7 @@ function toError(told: NonNullable<Answer["error"]>): Error {
 
 /** Starts a worker and loads the library there. */
 export async function load(options: WorkerOptions = {}): Promise<MinksumWorker> {
+  checkNames(options, (name) => name === "worker" || name === "wasm");
   const { worker, wasm } = options;
   const given = wasm instanceof URL ? wasm.href : wasm;
   return MinksumWorker.create(worker ? () => fromWorker(worker()) : spawn, given);

@@ -2,6 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { load, MinksumError } from "minksum";
+import { load as inline } from "minksum/inline";
+import { load as inWorker } from "minksum/worker";
 import { box, mk } from "./support.js";
 
 const a = box(0, 0, 1, 1);
@@ -76,6 +78,23 @@ test("options have names and values that exist", () => {
   }
   refused(() => mk.slices(a, b, [0], { workspace: "" }), /empty/);
   assert.equal(mk.area(a, { fill: undefined, as: undefined }), 1);
+});
+test("options of loading have names that exist", async () => {
+  for (const start of [load, inline, inWorker]) {
+    await assert.rejects(start({ wasm_: "x" }), { code: "bad-input", message: "there is no option `wasm_`" });
+    await assert.rejects(start(null), { code: "bad-input" });
+  }
+  await assert.rejects(load({ worker: () => undefined }), /no option `worker`/);
+  assert.equal((await load({ wasm: undefined, other: undefined })).version, mk.version);
+});
+test("flat arrays have names that exist", () => {
+  const flat = { coords: [0, 0, 4, 0, 0, 4], rings: [0, 3], polygons: [0, 1] };
+  for (const name of ["lineCords", "hasOwnProperty", "point"]) {
+    refused(() => mk.area({ ...flat, [name]: [1, 1] }), new RegExp(`no flat array \`${name}\``));
+  }
+  assert.throws(() => mk.minkowskiSum(a, { ...flat, lineCords: [] }), { operand: 1 });
+  assert.equal(mk.area({ ...flat, lineCords: undefined }), 8);
+  assert.equal(mk.area(mk.resolve(flat, { as: "flat" })), 8);
 });
 test("numbers beyond the doubles are refused, and exact ones are not", () => {
   const words = /beyond the range of doubles/;
