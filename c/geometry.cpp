@@ -247,7 +247,7 @@ minksum_status minksum_read_as(const char* text, size_t length,
       require(read_options->join_ends >= 0, "the distance of ends must not be negative");
       if (read_options->tolerance > 0) how.drawing.tolerance = read_options->tolerance;
       how.drawing.join_ends = read_options->join_ends;
-      how.drawing.side = as_side(read_options->side);
+      how.drawing.side = as<RoundingSide>(read_options->side);
       how.drop_z = read_options->drop_z != 0;
       if (read_options->column != nullptr) how.column = read_options->column;
       if (read_options->layer != nullptr) how.drawing.layer = read_options->layer;
@@ -270,11 +270,12 @@ minksum_status minksum_write(const minksum_geometry* geometry, minksum_format fo
   return guarded(error, [&] {
     if (length != nullptr) *length = 0;
     char*& result = result_at(text);
-    // In the order of minksum_format, whose last value is named below.
+    // In the order of minksum_format.
     constexpr io::Format kFormats[] = {io::Format::kWkt, io::Format::kGeoJson, io::Format::kPoly,
                                        io::Format::kSvg, io::Format::kWkb,     io::Format::kHexWkb};
-    const auto index = as<std::size_t>(format, MINKSUM_HEX_WKB);
-    const auto kind = as<io::Coordinates::Style>(style, MINKSUM_DECIMALS);
+    const auto index = as<unsigned>(format);
+    require(index < std::size(kFormats), "there is no such format");
+    const auto kind = as<io::Coordinates::Style>(style);
     const std::string written =
         io::to_text(value_of(geometry), kFormats[index], io::Coordinates{kind, digits, {}});
     result = static_cast<char*>(std::malloc(written.size() + 1));

@@ -79,25 +79,22 @@ const auto& value_of(const Handle* handle) {
   return handle->value;
 }
 
-/// Converts an enumerator of C to that of C++ at the same position.
+/// Converts an enumerator of C to that of C++ at the same position. The library refuses one that
+/// does not exist.
 template <class To, class From>
-To as(const From& value, From last) {
+To as(const From& value) {
   // C may pass any integer. Reading one as an enumerator that does not exist is undefined.
   int number = 0;
   static_assert(sizeof(value) == sizeof(number));
   std::memcpy(&number, &value, sizeof(number));
-  require(number >= 0 && number <= static_cast<int>(last), "an enumerator that does not exist");
   return static_cast<To>(number);
-}
-inline RoundingSide as_side(const minksum_side& side) {
-  return as<RoundingSide>(side, MINKSUM_INSIDE);
 }
 
 /// The options of C; null = the defaults.
 inline Options options_of(const minksum_options* given) {
   Options options;
   if (given == nullptr) return options;
-  options.fill = as<FillRule>(given->fill, MINKSUM_FILL_STRICT);
+  options.fill = as<FillRule>(given->fill);
   options.regularize = given->regularize != 0;
   if (given->tight >= 0) options.tight = given->tight != 0;
   if (given->max_segments != 0) options.limits.max_segments = given->max_segments;

@@ -119,9 +119,9 @@ minksum_status minksum_offset(const Handle* geometry, double distance,
   return made(result, error, [&] {
     OffsetOptions shape;
     if (offset_options != nullptr) {
-      shape.join = as<Join>(offset_options->join, MINKSUM_JOIN_BEVEL);
-      shape.cap = as<Cap>(offset_options->cap, MINKSUM_CAP_SQUARE);
-      shape.side = as_side(offset_options->side);
+      shape.join = as<Join>(offset_options->join);
+      shape.cap = as<Cap>(offset_options->cap);
+      shape.side = as<RoundingSide>(offset_options->side);
       shape.miter_limit = offset_options->miter_limit;
       if (offset_options->tolerance != 0) shape.tolerance = offset_options->tolerance;
     }
@@ -130,7 +130,8 @@ minksum_status minksum_offset(const Handle* geometry, double distance,
 }
 minksum_status minksum_disc(double radius, double tolerance, minksum_side side, Handle** result,
                             minksum_error* error) {
-  return made(result, error, [&] { return Geometry(disc(radius, tolerance, as_side(side))); });
+  return made(result, error,
+              [&] { return Geometry(disc(radius, tolerance, as<RoundingSide>(side))); });
 }
 
 minksum_status minksum_resolve(const Handle* geometry, const minksum_options* options,
@@ -142,7 +143,7 @@ minksum_status minksum_round(const Handle* geometry, minksum_side side, int deci
                              minksum_error* error) {
   return made(result, error, [&] {
     RoundOptions target;
-    target.side = as_side(side);
+    target.side = as<RoundingSide>(side);
     if (decimals >= 0) target.decimals = decimals;
     return minksum::round(value_of(geometry), target, options_of(options));
   });

@@ -16,7 +16,9 @@ namespace minksum {
 
 /// Says which kind of failure an Error reports. Each code has an exit code of the program.
 enum class ErrorCode {
-  kBadInput,       ///< an operand is not a valid region, or a number is not finite
+  /// An operand is not a valid region, a number is not finite, or an option is an integer that was
+  /// cast to its type and is none of its enumerators.
+  kBadInput,
   kLimitExceeded,  ///< a limit (see ExceededLimit) would be exceeded, or memory ran out
   kCancelled,      ///< the caller's cancel token or progress callback asked to stop
   kInternal,       ///< an invariant of the library broke; Error::stage names the place

@@ -37,7 +37,7 @@ enum class Join {
   kSquare,  ///< a cut at right angles to the bisector, at the distance from the vertex
   kBevel,   ///< a cut from the end of one moved edge to that of the other
 };
-/// Returns the join's name: "round", "miter", "square" or "bevel".
+/// Returns the join's name: "round", "miter", "square" or "bevel"; or "unknown".
 [[nodiscard]] MINKSUM_API const char* to_string(Join join);
 
 /// Says which shape an offset has at both ends of an open polyline, and around points.
@@ -46,7 +46,7 @@ enum class Cap {
   kButt,    ///< nothing: it ends where the polyline ends, and points vanish
   kSquare,  ///< it goes on by the distance; an axis-parallel square around a point
 };
-/// Returns the cap's name: "round", "butt" or "square".
+/// Returns the cap's name: "round", "butt" or "square"; or "unknown".
 [[nodiscard]] MINKSUM_API const char* to_string(Cap cap);
 
 /// Says what an offset looks like.

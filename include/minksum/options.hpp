@@ -29,6 +29,7 @@ enum class FillRule {
   kStrict,    ///< polygons must be valid, else Error(kBadInput) with the first fault's place
 };
 /// Returns the rule's name: "automatic", "evenodd", "nonzero", "positive", "negative" or "strict".
+/// It is "unknown" for an integer that was cast to the type and is none of the rules.
 [[nodiscard]] MINKSUM_API const char* to_string(FillRule rule);
 
 /// Limits on one sum. Exceeding one is an Error(kLimitExceeded) that names the limit. No method
@@ -58,7 +59,7 @@ enum class Stage {
 };
 /// The number of stages that belong to a sum.
 inline constexpr int kSumStages = 7;
-/// Returns the stage's name: "operands", "convolution", and so on.
+/// Returns the stage's name: "operands", "convolution", and so on; or "unknown".
 [[nodiscard]] MINKSUM_API const char* to_string(Stage stage);
 
 /// Tells how far an operation is.

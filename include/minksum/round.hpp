@@ -15,7 +15,7 @@ enum class RoundingSide {
   kOutside,  ///< outwards: the result contains the exact set
   kInside,   ///< inwards: the exact set contains the result
 };
-/// Returns the side's name: "nearest", "outside" or "inside".
+/// Returns the side's name: "nearest", "outside" or "inside"; or "unknown".
 [[nodiscard]] MINKSUM_API const char* to_string(RoundingSide side);
 
 /// The largest number of digits after the point for rounding and for writing.

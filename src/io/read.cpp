@@ -173,6 +173,7 @@ Format detect_format(std::string_view text) {
 
 std::unique_ptr<FeatureSource> open_source(std::string_view text, const ReadOptions& options,
                                            Rules rules) {
+  require_enumerator(options.drawing.side, RoundingSide::kInside, "side");
   if (text.size() > options.max_bytes) fail_too_large(options.max_bytes);
   const auto whole = [&](std::string_view content, WholeText::Read read) {
     return std::make_unique<WholeText>(content, options, rules, read);

@@ -371,7 +371,7 @@ void read_wkb(std::string_view bytes, const ReadOptions& options, GeometryBuilde
 
 void write_wkb(const Sink& out, const GeometryView& geometry, const Coordinates& style) {
   if (style.style != Coordinates::Style::kDouble) {
-    throw Error(ErrorCode::kBadInput, "WKB holds doubles, not exact numbers or decimals");
+    refuse_input("WKB holds doubles, not exact numbers or decimals");
   }
   WkbWriter(out, style).write(geometry);
 }

@@ -8,6 +8,8 @@ namespace minksum::io {
 namespace {
 
 void write(const Sink& out, const GeometryView& geometry, Format format, const Coordinates& style) {
+  require_enumerator(format, Format::kGdal, "format");
+  require_enumerator(style.style, Coordinates::Style::kDecimal, "style");
   switch (format) {
     case Format::kWkt:
       return write_wkt(out, geometry, style);
@@ -15,7 +17,7 @@ void write(const Sink& out, const GeometryView& geometry, Format format, const C
       return write_geojson(out, geometry, style);
     case Format::kPoly:
       if (!geometry.polylines.empty() || !geometry.points.empty()) {
-        throw Error(ErrorCode::kBadInput, "polylines and points have no form in .poly");
+        refuse_input("polylines and points have no form in .poly");
       }
       return write_poly(out, geometry.region, style);
     case Format::kWkb:
@@ -30,7 +32,7 @@ void write(const Sink& out, const GeometryView& geometry, Format format, const C
     case Format::kGdal:
       break;
   }
-  throw Error(ErrorCode::kBadInput, "regions are not written as .dat, as DXF or as tables");
+  refuse_input("regions are not written as .dat, as DXF or as tables");
 }
 
 void write(std::ostream& out, const GeometryView& geometry, Format format,

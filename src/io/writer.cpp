@@ -72,7 +72,7 @@ Writer::Writer(const Sink& out, const Coordinates& style)
     : out_(out), style_(style), options_{.cancel = style.cancel}, cancellation_(options_) {
   const bool has_digits = style.style == Coordinates::Style::kDecimal;
   if (has_digits && (style.digits < 0 || style.digits > kMaxDecimals)) {
-    throw Error(ErrorCode::kBadInput, "digits after the point are not from 0 to 4096");
+    refuse_input("digits after the point are not from 0 to 4096");
   }
   buffer_.reserve(kChunk + 4096);
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "machine/bad_input.hpp"
 #include "minksum/error.hpp"
 #include "minksum/options.hpp"
 #include "minksum/region.hpp"
@@ -26,9 +27,11 @@ class Cancellation {
   /// Makes one that nobody can cancel.
   Cancellation() = default;
   /// `options` must live as long. `stage` is what the progress callback is told of at first.
-  /// Throws Error(kCancelled) if the token is cancelled already. Not inlined, as that is long.
+  /// Throws Error(kCancelled) if the token is cancelled already, and Error(kBadInput) for a fill
+  /// rule that does not exist: every operation on options makes one. Not inlined, as that is long.
   [[gnu::noinline]] explicit Cancellation(const Options& options, Stage stage = Stage::kOperands)
       : options_(&options), stage_(stage) {
+    require_enumerator(options.fill, FillRule::kStrict, "fill");
     if (is_cancelled()) stop();
   }
   explicit Cancellation(const Options&& options, Stage stage = Stage::kOperands) = delete;

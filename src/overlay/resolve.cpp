@@ -31,8 +31,9 @@ overlay::Inside inside_by(FillRule rule) {
 }  // namespace
 
 const char* to_string(FillRule rule) {
-  constexpr std::array kNames{"automatic", "evenodd", "nonzero", "positive", "negative", "strict"};
-  return kNames[static_cast<std::size_t>(rule)];
+  static constexpr std::array kNames{"automatic", "evenodd",  "nonzero",
+                                     "positive",  "negative", "strict"};
+  return name_of(rule, kNames);
 }
 
 Geometry resolve(const Geometry& geometry, const Options& options, int operand) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/gcd.hpp"
+#include "machine/bad_input.hpp"
 #include "minksum/error.hpp"
 #include "region/rational_access.hpp"
 
@@ -89,7 +90,7 @@ Rational::Rational(std::int64_t value) : Rational(RationalAccess::make_reduced(v
 Rational::Rational(std::uint64_t value) : Rational(RationalAccess::make_reduced(value, 1)) {}
 
 Rational::Rational(std::int64_t numerator, std::int64_t denominator) {
-  if (denominator == 0) throw Error(ErrorCode::kBadInput, "a rational number with denominator 0");
+  if (denominator == 0) refuse_input("a rational number with denominator 0");
   *this = RationalAccess::make(numerator, denominator);
 }
 
@@ -103,8 +104,7 @@ Rational::Rational(Decimal value) {
 
 Rational::Rational(double value) {
   if (!std::isfinite(value)) {
-    throw Error(ErrorCode::kBadInput,
-                std::isnan(value) ? "a number is not a number (NaN)" : "a number is infinite");
+    refuse_input(std::isnan(value) ? "a number is not a number (NaN)" : "a number is infinite");
   }
   if (value == 0) return;
   int exponent = 0;
@@ -152,7 +152,7 @@ Rational Rational::from_limbs(bool negative, const std::uint64_t* numerator,
                               std::size_t denominator_limbs) {
   BigInteger above({numerator, numerator_limbs}, negative);
   BigInteger below({denominator, denominator_limbs});
-  if (below.is_zero()) throw Error(ErrorCode::kBadInput, "a rational number with denominator 0");
+  if (below.is_zero()) refuse_input("a rational number with denominator 0");
   return RationalAccess::make(std::move(above), std::move(below));
 }
 
@@ -194,7 +194,7 @@ std::string Rational::to_string() const {
 }
 
 std::string Rational::to_decimal(int digits) const {
-  if (digits < 0) throw Error(ErrorCode::kBadInput, "a negative number of digits");
+  if (digits < 0) refuse_input("a negative number of digits");
   const BigInteger scaled = abs(RationalAccess::numerator(*this)) * power(10, digits);
   const BigInteger quotient =
       divided_to_nearest(scaled, RationalAccess::denominator(*this)).quotient;
@@ -229,7 +229,7 @@ Rational operator*(const Rational& a, const Rational& b) {
 }
 
 Rational operator/(const Rational& a, const Rational& b) {
-  if (!b.value_) throw Error(ErrorCode::kBadInput, "division by 0");
+  if (!b.value_) refuse_input("division by 0");
   if (!a.value_) return {};
   return RationalAccess::make(a.value_->numerator * b.value_->denominator,
                               a.value_->denominator * b.value_->numerator);

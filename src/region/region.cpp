@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "machine/bad_input.hpp"
 #include "minksum/geometry.hpp"
 #include "region/region_access.hpp"
 
@@ -60,14 +61,14 @@ void Region::begin_polygon() { arrays_.push_back<kPolygonStarts>(ring_count()); 
 
 void Region::begin_ring() {
   if (polygon_count() == 0) {
-    throw Error(ErrorCode::kBadInput, "begin_ring before any begin_polygon");
+    refuse_input("begin_ring before any begin_polygon");
   }
   arrays_.push_back<kRingStarts>(vertex_count());
 }
 
 void Region::require_open_ring() const {
   if (polygon_count() == 0 || arrays_.get<kPolygonStarts>().back() == ring_count()) {
-    throw Error(ErrorCode::kBadInput, "add_vertex before any begin_ring in this polygon");
+    refuse_input("add_vertex before any begin_ring in this polygon");
   }
 }
 
@@ -134,7 +135,7 @@ Region Region::from_flat(std::span<const double> coordinates,
                          std::span<const std::int64_t> ring_offsets,
                          std::span<const std::int64_t> polygon_offsets) {
   if (coordinates.size() % 2 != 0) {
-    throw Error(ErrorCode::kBadInput, "an odd number of coordinates");
+    refuse_input("an odd number of coordinates");
   }
   require_offsets(ring_offsets, coordinates.size() / 2, "ring offsets");
   require_offsets(polygon_offsets, ring_offsets.size() - 1, "polygon offsets");

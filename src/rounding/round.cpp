@@ -17,7 +17,7 @@ namespace {
 
 Target target_of(const RoundRequest& request) {
   if (request.decimals && (*request.decimals < 0 || *request.decimals > kMaxDecimals)) {
-    throw Error(ErrorCode::kBadInput, "digits after the point are not from 0 to 4096");
+    refuse_input("digits after the point are not from 0 to 4096");
   }
   return {request.decimals};
 }
@@ -107,15 +107,16 @@ Geometry round_geometry(const Geometry& geometry, const Target& target, const Ro
 }  // namespace
 
 const char* to_string(RoundingSide side) {
-  constexpr std::array kNames{"nearest", "outside", "inside"};
-  return kNames[static_cast<std::size_t>(side)];
+  static constexpr std::array kNames{"nearest", "outside", "inside"};
+  return name_of(side, kNames);
 }
 
 Rounded detailed_round(const Geometry& geometry, const RoundOptions& target,
                        const Options& options) {
   const RoundRequest request{target.side, target.decimals, part_of(options)};
   const Target places = target_of(request);
-  Cancellation(request.options, Stage::kRounding).look();
+  require_enumerator(target.side, RoundingSide::kInside, "side");
+  Cancellation(options, Stage::kRounding).look();
   Rounded result;
   result.geometry = round_geometry(geometry, places, request, result.report);
   // Both are upper bounds.

@@ -1,6 +1,7 @@
 // What the driver of a sum is asked for.
 #pragma once
 
+#include "machine/bad_input.hpp"
 #include "minksum/testing.hpp"
 
 namespace minksum {
@@ -10,8 +11,13 @@ namespace minksum {
 /// exactly if `tight_places` is not null.
 struct SumRequest : SumSettings {
   SumRequest() = default;
-  explicit SumRequest(const Options& options) : SumRequest(SumSettings{options}) {}
-  explicit SumRequest(const SumSettings& settings) : SumSettings(settings) { tight = false; }
+  explicit SumRequest(const Options& options) : SumSettings{options} { tight = false; }
+  /// Throws Error(kBadInput) for a method or an arithmetic that does not exist.
+  explicit SumRequest(const SumSettings& settings) : SumSettings(settings) {
+    require_enumerator(method, Method::kFull, "method");
+    require_enumerator(arithmetic, Arithmetic::kArbitrary, "arithmetic");
+    tight = false;
+  }
   void want_tight_places(Geometry& places) {
     tight = true;
     tight_places = &places;

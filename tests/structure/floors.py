@@ -59,6 +59,8 @@ APART = [
 EXCEPTIONS = {
     ("src/io", "src/machine/cancellation.hpp"):
         "readers and writers count their work as the library does, by this header",
+    ("src/io", "src/machine/bad_input.hpp"):
+        "options of reading and writing are checked as those of operations are",
     ("src/io/writer.cpp", "src/machine/shortest_double.hpp"):
         "not every standard library can write doubles",
     ("src/io/gdal/gdal_features.cpp", "src/machine/shortest_double.hpp"):

@@ -212,6 +212,69 @@ TEST(Face, WhatIsMovedFromIsStillGood) {
   }
 }
 
+TEST(Face, EnumeratorsThatDoNotExistAreRefusedByName) {
+  const Region region{kTriangle};
+  const std::array<Geometry, 2> two{region, region};
+  const PreparedRegion prepared(region);
+  const auto expect_refused = [](const std::string& option, const auto& call) {
+    const Outcome outcome = attempt(call);
+    ASSERT_FALSE(outcome.ok()) << option;
+    EXPECT_EQ(outcome.error->code(), ErrorCode::kBadInput);
+    EXPECT_EQ(outcome.error->what(), "there is no such " + option);
+  };
+  for (const int number : {-1, 99}) {
+    Options options;
+    options.fill = static_cast<FillRule>(number);
+    const auto fill = [&](const auto& call) { expect_refused("fill", call); };
+    fill([&] { (void)minkowski_sum(region, region, options); });
+    fill([&] { (void)minkowski_sum(two[0], two[1], options); });
+    fill([&] { (void)minkowski_sum(prepared, prepared, options); });
+    fill([&] { (void)minkowski_sum(Region(), Region(), options); });
+    fill([&] { (void)resolve(Geometry(), options); });
+    fill([&] { (void)resolve(two[0], options); });
+    fill([&] { (void)unite(two, options); });
+    fill([&] { (void)round(region, {}, options); });
+    fill([&] { (void)area(region, options); });
+    fill([&] { (void)offset(region, 1, {}, options); });
+    fill([&] { (void)no_fit_polygon(region, region, {}, options); });
+    fill([&] { (void)NoFitTable(two, 4, options); });
+    fill([&] { (void)PointLocator(region, options); });
+    fill([&] { (void)ConfigurationSpace(region, region, {}, options); });
+    fill([&] { (void)check_sum(region, region, region, {}, options); });
+    const auto side = static_cast<RoundingSide>(number);
+    expect_refused("side", [&] { (void)round(region, {.side = side}); });
+    expect_refused("side", [&] { (void)disc(1, 1, side); });
+    expect_refused("side", [&] { (void)offset(region, 1, {.side = side}); });
+    expect_refused("join", [&] { (void)offset(region, 1, {.join = static_cast<Join>(number)}); });
+    expect_refused("cap", [&] { (void)offset(region, 0, {.cap = static_cast<Cap>(number)}); });
+    expect_refused("detail", [&] {
+      (void)detailed_sum(region, region, Options{}, static_cast<Detail>(number));
+    });
+    SumSettings settings;
+    settings.method = static_cast<Method>(number);
+    Workspace workspace;
+    Region result;
+    expect_refused("method", [&] { (void)minkowski_sum(region, region, settings); });
+    EXPECT_FALSE(minkowski_sum(region, region, settings, workspace, result).ok());
+    settings.method = Method::kReduced;
+    settings.arithmetic = static_cast<Arithmetic>(number);
+    expect_refused("arithmetic", [&] { (void)minkowski_sum(two[0], two[1], settings); });
+    expect_refused("format", [&] { (void)io::to_text(region, static_cast<io::Format>(number)); });
+    const io::Coordinates style{static_cast<io::Coordinates::Style>(number)};
+    for (const auto format : {io::Format::kWkt, io::Format::kSvg, io::Format::kWkb}) {
+      expect_refused("style", [&] { (void)io::to_text(region, format, style); });
+    }
+    expect_refused("side", [&] {
+      (void)io::read("POLYGON ((0 0, 1 0, 0 1, 0 0))", {.drawing = {.side = side}});
+    });
+    EXPECT_STREQ(to_string(options.fill), "unknown");
+    EXPECT_STREQ(to_string(side), "unknown");
+    EXPECT_STREQ(to_string(static_cast<Stage>(number)), "unknown");
+    EXPECT_STREQ(to_string(static_cast<Join>(number)), "unknown");
+    EXPECT_STREQ(to_string(static_cast<Cap>(number)), "unknown");
+  }
+}
+
 TEST(Face, OperationsThatAreCancelledBeforehandDoNotBegin) {
   const Region region{kTriangle};
   const std::array<Geometry, 2> two{region, region};

@@ -49,8 +49,7 @@ Rational margin_of(const std::vector<Turn>& turns, const Rational& reach, double
   for (std::size_t i = 0; i < turns.size() && turns.size() > 1; ++i) {
     const auto half = half_step(turns[i], turns[(i + 1) % turns.size()]);
     if (!half || half->sign() <= 0) {
-      throw Error(ErrorCode::kBadInput,
-                  "to be certain, steps must be below half a turn: more angles are needed");
+      refuse_input("to be certain, steps must be below half a turn: more angles are needed");
     }
     largest = std::max(largest, *half);
   }

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <utility>
 
+#include "machine/bad_input.hpp"
 #include "minksum/configuration_space.hpp"
 
 namespace minksum {
@@ -55,11 +56,11 @@ Point Turn::direction() const { return map()({Rational(1), Rational(0)}); }
 
 Turn nearest_turn(const Rational& degrees, double tolerance) {
   if (!(tolerance >= 1e-10 && tolerance <= 1)) {
-    throw Error(ErrorCode::kBadInput, "a turn's tolerance must be from 1e-10 to 1 degrees");
+    refuse_input("a turn's tolerance must be from 1e-10 to 1 degrees");
   }
   const double about = degrees.to_double();
   if (!(std::abs(about) <= kMostDegrees)) {
-    throw Error(ErrorCode::kBadInput, "an angle must not be beyond a million degrees");
+    refuse_input("an angle must not be beyond a million degrees");
   }
   auto quarters = static_cast<std::int64_t>(std::floor(about / 90));
   Rational rest = degrees - Rational(90 * quarters);
@@ -74,7 +75,7 @@ Turn nearest_turn(const Rational& degrees, double tolerance) {
 }
 
 std::vector<Turn> full_turn(std::size_t n, double tolerance) {
-  if (n == 0) throw Error(ErrorCode::kBadInput, "a full turn needs at least one angle");
+  if (n == 0) refuse_input("a full turn needs at least one angle");
   // Each turn makes a slice. By this limit a mistaken number does not exhaust memory.
   constexpr std::size_t kMostTurns = 1'000'000;
   if (n > kMostTurns) {

@@ -86,7 +86,7 @@ Geometry sum(const TablePart& fixed, const TablePart& moving, std::size_t direct
 
 NoFitTable::NoFitTable(std::span<const Geometry> given, int turns, const Options& options) {
   if (turns != 1 && turns != 2 && turns != 4) {
-    throw Error(ErrorCode::kBadInput, "a table of no-fit polygons has 1, 2 or 4 turns");
+    refuse_input("a table of no-fit polygons has 1, 2 or 4 turns");
   }
   std::vector<TablePart> parts;
   parts.reserve(given.size());
@@ -128,9 +128,9 @@ Geometry NoFitTable::at(TurnedPart fixed, TurnedPart moving, const Options& opti
   Cancellation cancellation(options);
   const int turns = state_->turns;
   for (const TurnedPart& part : {fixed, moving}) {
-    if (part.part >= size()) throw Error(ErrorCode::kBadInput, "there is no such part");
+    if (part.part >= size()) refuse_input("there is no such part");
     if (part.turn < 0 || part.turn >= turns) {
-      throw Error(ErrorCode::kBadInput, "there is no such turn");
+      refuse_input("there is no such turn");
     }
   }
   // The polygon is A ⊕ −R(t) B, turned as A is. It equals −R(t) (B ⊕ −R(−t) A).

@@ -129,8 +129,9 @@ Region disc(const Rational& radius, const Rational& tolerance, RoundingSide side
 
 Region make_disc(const Rational& radius, const Rational& tolerance, RoundingSide side,
                  Cancellation& cancellation) {
-  if (radius.sign() <= 0) throw Error(ErrorCode::kBadInput, "a disc's radius must be positive");
-  if (tolerance.sign() <= 0) throw Error(ErrorCode::kBadInput, "a tolerance must be positive");
+  require_enumerator(side, RoundingSide::kInside, "side");
+  if (radius.sign() <= 0) refuse_input("a disc's radius must be positive");
+  if (tolerance.sign() <= 0) refuse_input("a tolerance must be positive");
   const Quarter quarter(radius, std::min(tolerance, radius / Rational(2)), side, cancellation);
   Region result;
   result.begin_polygon();

@@ -17,17 +17,18 @@
 namespace minksum {
 namespace {
 
-[[noreturn]] void refuse(const char* what) { throw Error(ErrorCode::kBadInput, what); }
-
 bool all_round(const OffsetOptions& shape) {
   return shape.join == Join::kRound && shape.cap == Cap::kRound;
 }
 
 void require_sense(const OffsetOptions& shape) {
-  if (shape.tolerance && shape.tolerance->sign() <= 0) refuse("a tolerance must be positive");
-  if (shape.miter_limit < Rational(1)) refuse("a miter limit must be at least 1");
+  require_enumerator(shape.join, Join::kBevel, "join");
+  require_enumerator(shape.cap, Cap::kSquare, "cap");
+  require_enumerator(shape.side, RoundingSide::kInside, "side");
+  if (shape.tolerance && shape.tolerance->sign() <= 0) refuse_input("a tolerance must be positive");
+  if (shape.miter_limit < Rational(1)) refuse_input("a miter limit must be at least 1");
   if (shape.side != RoundingSide::kNearest && !all_round(shape)) {
-    refuse("a side can be chosen for round joins and caps only");
+    refuse_input("a side can be chosen for round joins and caps only");
   }
 }
 
@@ -153,13 +154,13 @@ class Offset {
 }  // namespace
 
 const char* to_string(Join join) {
-  constexpr std::array kNames{"round", "miter", "square", "bevel"};
-  return kNames[static_cast<std::size_t>(join)];
+  static constexpr std::array kNames{"round", "miter", "square", "bevel"};
+  return name_of(join, kNames);
 }
 
 const char* to_string(Cap cap) {
-  constexpr std::array kNames{"round", "butt", "square"};
-  return kNames[static_cast<std::size_t>(cap)];
+  static constexpr std::array kNames{"round", "butt", "square"};
+  return name_of(cap, kNames);
 }
 
 Geometry offset(const Geometry& a, const Rational& distance, const OffsetOptions& shape,

@@ -153,7 +153,7 @@ std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
 std::optional<Rational> time_of_impact(const Geometry& a, const Geometry& b, const Point& direction,
                                        const Options& options) {
   if (direction.x.sign() == 0 && direction.y.sign() == 0) {
-    throw Error(ErrorCode::kBadInput, "a direction must not be (0, 0)");
+    refuse_input("a direction must not be (0, 0)");
   }
   const auto around = obstacle(a, b, options);
   if (!around) return std::nullopt;

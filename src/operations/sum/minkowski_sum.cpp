@@ -19,10 +19,10 @@
 namespace minksum {
 
 const char* to_string(Stage stage) {
-  constexpr std::array kNames{"operands", "convolution", "cover",  "arrangement",
-                              "loops",    "filters",     "output", "overlay",
-                              "rounding", "checking",    "search"};
-  return kNames[static_cast<std::size_t>(stage)];
+  static constexpr std::array kNames{"operands", "convolution", "cover",  "arrangement",
+                                     "loops",    "filters",     "output", "overlay",
+                                     "rounding", "checking",    "search"};
+  return name_of(stage, kNames);
 }
 
 namespace {
@@ -38,7 +38,7 @@ void require_valid(const CallerOperand& p, const CallerOperand& q, const SumRequ
 
 void require_method_for_tight(const SumRequest& request) {
   if (request.tight_places != nullptr && request.method != Method::kReduced) {
-    throw Error(ErrorCode::kBadInput, "tight places are found by Method::kReduced only");
+    refuse_input("tight places are found by Method::kReduced only");
   }
 }
 
@@ -286,15 +286,17 @@ Set sum(const P& p, const Q& q, const SumRequest& options) {
   run(p, q, options, memory.state(), result);
   return result;
 }
-template <class P, class Q, class Set>
-Outcome attempt_sum(const P& p, const Q& q, const SumRequest& options, Workspace& workspace,
+template <class P, class Q, class Set, class Settings>
+Outcome attempt_sum(const P& p, const Q& q, const Settings& settings, Workspace& workspace,
                     Set& result) {
-  const Outcome outcome = attempt([&] { run(p, q, options, workspace.state(), result); });
+  const Outcome outcome =
+      attempt([&] { run(p, q, SumRequest(settings), workspace.state(), result); });
   if (!outcome.ok()) result = Set{};
   return outcome;
 }
 template <class Operand, class Settings>
 DetailedSum detailed(const Operand& p, const Operand& q, const Settings& settings, Detail detail) {
+  require_enumerator(detail, Detail::kTrace, "detail");
   DetailedSum result;
   SumRequest request(settings);
   request.statistics = &result.statistics;
@@ -334,7 +336,7 @@ const Region& PreparedRegion::region() const { return state_->region; }
   }                                                                                             \
   Outcome minkowski_sum(const P& p, const Q& q, const Settings& settings, Workspace& workspace, \
                         Set& result) {                                                          \
-    return attempt_sum(p, q, SumRequest(settings), workspace, result);                          \
+    return attempt_sum(p, q, settings, workspace, result);                                      \
   }
 #define MINKSUM_DETAILED_SUM(Operand, Settings)                                          \
   DetailedSum detailed_sum(const Operand& p, const Operand& q, const Settings& settings, \

@@ -250,7 +250,7 @@ SumCheck check_sum(const Geometry& result, const Geometry& p, const Geometry& q,
                    const CheckOptions& how, const Options& options) {
   using namespace checking;
   if (how.within.sign() < 0) {
-    throw Error(ErrorCode::kBadInput, "how far a result may be off must not be negative");
+    refuse_input("how far a result may be off must not be negative");
   }
   const auto operand = [&options](const Geometry& geometry, int index) {
     return resolve(geometry, options, index);
