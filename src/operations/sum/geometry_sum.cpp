@@ -92,7 +92,8 @@ class Reader {
     if (as_given_ || given_.polylines.empty()) return;
     // A polyline along an area is part of that area. As a thin part it would remove tight places.
     if (options_.tight_places != nullptr) return;
-    if (options_.fill != FillRule::kAutomatic || options_.regularize) return;
+    const bool is_as_drawn = options_.fill == FillRule::kAutomatic || given_.region.empty();
+    if (!is_as_drawn || options_.regularize) return;
     if (!has_new_vertices(resolved_.polylines, given_.polylines, partial_.cancellation())) {
       return;
     }

@@ -114,6 +114,19 @@ TEST(GeometrySum, CrossingsOfPolylinesNeedNoVertices) {
   }
 }
 
+TEST(GeometrySum, PolylinesWithoutPolygonsStayWholeByEveryRule) {
+  Random random(40402);
+  const Geometry path{{}, {tangle(random, 40, 1000)}, {}};
+  const Geometry expected = minkowski_sum(path, path);
+  SumSettings options;
+  options.limits.max_segments = 50'000;  // cut at its crossings, the path has over a million
+  for (const FillRule rule : {FillRule::kNonZero, FillRule::kEvenOdd, FillRule::kPositive,
+                              FillRule::kNegative, FillRule::kStrict}) {
+    options.fill = rule;
+    EXPECT_EQ(minkowski_sum(path, path, options), expected) << to_string(rule);
+  }
+}
+
 TEST(GeometrySum, StrictRefusesWithThePlace) {
   const Geometry square{kSquare, {}, {}};
   const Geometry bow_tie{kBowTie, {}, {}};
