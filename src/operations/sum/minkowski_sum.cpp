@@ -123,8 +123,7 @@ bool run_small(std::array<CallerOperand, 2>& given, const SumRequest& options,
 
 void run(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
          Workspace::State& state, Region& result) {
-  const std::optional<Clock::time_point> begin =
-      options.statistics != nullptr ? std::optional(Clock::now()) : std::nullopt;
+  const auto begin = options.statistics != nullptr ? Clock::now() : Clock::time_point{};
   if (options.statistics != nullptr) *options.statistics = Statistics{};
   if (options.trace != nullptr) *options.trace = Trace{};
   if (options.tight_places != nullptr) *options.tight_places = Geometry{};
@@ -144,8 +143,8 @@ void run(const CallerOperand& p, const CallerOperand& q, const SumRequest& optio
       run_pipeline(given[0], given[1], options, state, result);
     }
   }
-  if (begin) {
-    options.statistics->seconds = std::chrono::duration<double>(Clock::now() - *begin).count();
+  if (options.statistics != nullptr) {
+    options.statistics->seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   }
 }
 
