@@ -105,7 +105,7 @@ class ContactFinder {
   }
 
   // What the division asks for.
-  [[nodiscard]] bool enter(std::size_t begin, std::size_t end,
+  [[nodiscard]] bool enter(std::size_t /*above*/, std::size_t begin, std::size_t end,
                            const BoxOf<double>& /*part*/) const {
     return !too_many() && has_suspects(begin, end);
   }
@@ -120,6 +120,10 @@ class ContactFinder {
   void meet_few(std::size_t begin, std::size_t end) { test_all(begin, end); }
   void meet_crowd(std::size_t begin, std::size_t end, const BoxOf<double>& /*box*/) {
     test_all(begin, end);
+  }
+  [[nodiscard]] static std::optional<DividingLine> line_among_crossings(
+      std::size_t /*begin*/, std::size_t /*end*/, const BoxOf<double>& /*part*/) {
+    return std::nullopt;
   }
   [[nodiscard]] static bool is_sorted_soon(std::size_t /*begin*/, std::size_t /*end*/,
                                            const BoxOf<double>& /*box*/) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "exact/formulas.hpp"
@@ -42,6 +43,12 @@ bool cut_segment(const Vec<double>& a, const Vec<double>& b, double at, double s
   return true;
 }
 
+/// The line axis = at, which divides a part of the plane.
+struct DividingLine {
+  Axis axis = Axis::kX;
+  double at = 0;
+};
+
 /// A part of the plane that is still to be divided, with its items.
 struct UndividedPart {
   BoxOf<double> part;
@@ -53,13 +60,15 @@ struct UndividedPart {
 /// dividing does not pay. Boxes are cut to each part.
 ///
 /// A User has these functions. [begin, end) are indices of items.
-/// - `bool enter(begin, end, const BoxOf<double>& part)` is told of each part. If it returns false,
-///   the part is left out.
+/// - `bool enter(above, begin, end, const BoxOf<double>& part)` is told of each part. If it returns
+///   false, the part is left out. The items [above, begin) are those of the part that was divided.
 /// - `bool cut<axis>(segment, at, LineCut&)` tells where a segment meets the line axis = at.
 ///   Returns false if the segment runs so nearly along that line that the place is not known.
 /// - `void meet_few(begin, end)` handles the items of a part that are few.
 /// - `void meet_crowd(begin, end, box)` handles items that lie in the box and are not to be
 /// divided.
+/// - `std::optional<DividingLine> line_among_crossings(begin, end, part)` tells where to divide items
+///   that medians do not part, or nothing if they are to be left as they are.
 /// - `bool is_sorted_soon(begin, end, box)` tells whether to handle a crowd that way rather than to
 ///   divide it poorly.
 template <class User>
@@ -76,7 +85,7 @@ class MedianDivision {
       : user_(user), items_(items), slack_(slack), cancellation_(cancellation) {}
 
   /// Divides all items. Afterwards, only their order has changed.
-  void divide(const BoxOf<double>& part) { divide(0, items_.size(), part, kMaxPoor); }
+  void divide(const BoxOf<double>& part) { divide(0, 0, items_.size(), part, kMaxPoor); }
   /// Does the same, but lists crowds, and parts with at most so many items, in the order in which
   /// they would be handled. Nothing is handled.
   void split(const BoxOf<double>& part, std::size_t most, std::vector<UndividedPart>& undivided) {
@@ -91,7 +100,7 @@ class MedianDivision {
   /// Divides what `split` has left.
   void divide(UndividedPart& undivided) {
     items_.swap(undivided.items);
-    divide(0, items_.size(), undivided.part, undivided.poor);
+    divide(0, 0, items_.size(), undivided.part, undivided.poor);
     items_.clear();
   }
 
@@ -118,9 +127,7 @@ class MedianDivision {
   static constexpr int kMaxPoor = 4;
 
   /// Where to divide some items.
-  struct Division {
-    Axis axis = Axis::kX;
-    double at = 0;
+  struct Division : DividingLine {
     std::size_t in_both = 0;  ///< items that are in both halves
     std::size_t in_less = 0;  ///< items that are in the lesser half alone
   };
@@ -167,7 +174,7 @@ class MedianDivision {
       low += item.high(axis) < at - slack_ ? 1U : 0U;
       high += item.low(axis) > at + slack_ ? 1U : 0U;
     });
-    return {axis, at, count - low - high, std::min(low, high)};
+    return {{axis, at}, count - low - high, std::min(low, high)};
   }
   [[nodiscard]] Division division(std::size_t begin, std::size_t end, Axis axis) const {
     return axis == Axis::kX ? division<Axis::kX>(begin, end) : division<Axis::kY>(begin, end);
@@ -177,22 +184,41 @@ class MedianDivision {
              std::vector<UndividedPart>& undivided) {
     most_undivided_ = std::max(most, kFew);
     undivided_ = &undivided;
-    divide(0, items_.size(), part, poor);
+    divide(0, 0, items_.size(), part, poor);
     undivided_ = nullptr;
     most_undivided_ = 0;
   }
-  void divide(std::size_t begin, std::size_t end, const BoxOf<double>& part, int poor) {
+  void divide(std::size_t above, std::size_t begin, std::size_t end, const BoxOf<double>& part,
+              int poor) {
     const std::size_t count = end - begin;
-    if (count < 2 || !user_.enter(begin, end, part)) return;
+    if (count < 2 || !user_.enter(above, begin, end, part)) return;
     if (count <= most_undivided_) return put_off(begin, end, part, poor);
     if (count <= kFew) return user_.meet_few(begin, end);
     const BoxOf<double> box = bounds_of(begin, end);
-    const auto meet_or_put_off = [&] {
+    std::optional<DividingLine> line = line_at_median(begin, end, box, poor);
+    if (!line) line = user_.line_among_crossings(begin, end, part);
+    if (!line) {
       if (undivided_ != nullptr) return put_off(begin, end, part, poor);
-      user_.meet_crowd(begin, end, box);
-    };
+      return user_.meet_crowd(begin, end, box);
+    }
+    for (const bool low : {true, false}) {
+      if (line->axis == Axis::kX) {
+        put_half<Axis::kX>(begin, end, line->at, low);
+      } else {
+        put_half<Axis::kY>(begin, end, line->at, low);
+      }
+      BoxOf<double> half = part;
+      (low ? half.high(line->axis) : half.low(line->axis)) = line->at;
+      divide(begin, end, items_.size(), half, poor);
+      items_.resize(end);
+    }
+  }
+  /// Returns where to divide, if that pays, and counts how many poor divisions are allowed then.
+  std::optional<DividingLine> line_at_median(std::size_t begin, std::size_t end,
+                                             const BoxOf<double>& box, int& poor) {
+    const std::size_t count = end - begin;
     const Axis longer = box.longer();
-    if (box.high(longer) - box.low(longer) < kLeastSlacks * slack_) return meet_or_put_off();
+    if (box.high(longer) - box.low(longer) < kLeastSlacks * slack_) return std::nullopt;
     Division best = division(begin, end, longer);
     const bool is_good = best.in_both < count / 6;
     if (!is_good) {
@@ -203,20 +229,10 @@ class MedianDivision {
     const bool is_useless = best.in_less < count / 16 || best.in_both > count * 3 / 4;
     const bool is_poor = best.in_both > count * 2 / 5;
     if (is_useless || (is_poor && (poor == 0 || user_.is_sorted_soon(begin, end, box)))) {
-      return meet_or_put_off();
+      return std::nullopt;
     }
-    const int left = std::min(kMaxPoor, poor - (is_poor ? 1 : 0) + (is_good ? 1 : 0));
-    for (const bool low : {true, false}) {
-      if (best.axis == Axis::kX) {
-        put_half<Axis::kX>(begin, end, best.at, low);
-      } else {
-        put_half<Axis::kY>(begin, end, best.at, low);
-      }
-      BoxOf<double> half = part;
-      (low ? half.high(best.axis) : half.low(best.axis)) = best.at;
-      divide(end, items_.size(), half, left);
-      items_.resize(end);
-    }
+    poor = std::min(kMaxPoor, poor - (is_poor ? 1 : 0) + (is_good ? 1 : 0));
+    return best;
   }
   /// Lists a part, to be divided later from its start.
   void put_off(std::size_t begin, std::size_t end, const BoxOf<double>& part, int poor) {

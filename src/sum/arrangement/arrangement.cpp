@@ -9,7 +9,7 @@ void arrange(const Operands& operands, const Convolution& convolution, const Cov
              Arrangement& arrangement) {
   bin_segments(operands, convolution, cover, options.limits, predicates.cancellation(), scratch,
                arrangement);
-  find_crossings(cover, options, predicates, scratch, arrangement);
+  find_crossings(operands, cover, options, predicates, scratch, arrangement);
   split_segments(operands, cover, options.tight.value_or(false), predicates, scratch,
                  arrangement);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "machine/forest.hpp"
 #include "minksum/testing.hpp"
 #include "spatial/box_pairs.hpp"
 #include "spatial/median_division.hpp"
@@ -61,13 +61,13 @@ struct Piece {
 /// Kept segments, split at their nodes.
 ///
 /// Every point of the sum's boundary at which two kept segments meet is one node, found on both.
-/// Crossings inside the cover, or on what was clipped off, may be missing. Pieces are missing that
-/// run through the cover, or into what was clipped off, or that begin or end on the left of another
-/// segment (but not beside joined ones, and not where tight places are wanted). They are not
-/// boundary. Without them, loops may close that would not close otherwise. No piece of such a loop
-/// is boundary: boundary pieces follow each other around a free face, and nothing is within that
-/// face. No two pieces have the same ends. One of several equal pieces stays; opposite pieces have
-/// the sum on both sides and are dropped.
+/// Crossings inside the cover, in hidden parts, or on what was clipped off, may be missing. Pieces
+/// are missing that run through the cover or a hidden part, or into what was clipped off, or that
+/// begin or end on the left of another segment (but not beside joined ones, and not where tight
+/// places are wanted). They are not boundary. Without them, loops may close that would not close
+/// otherwise. No piece of such a loop is boundary: boundary pieces follow each other around a free
+/// face, and nothing is within that face. No two pieces have the same ends. One of several equal
+/// pieces stays; opposite pieces have the sum on both sides and are dropped.
 struct Arrangement {
   /// The segments that were split, and then the members of joined ones. Pieces refer to members.
   std::vector<KeptSegment> kept;
@@ -117,10 +117,18 @@ struct Crossing {
   double error;
 };
 
+/// A part of a kept segment that certainly lies inside the sum. Meetings there may be missing.
+struct HiddenPart {
+  KeptId segment;
+  double from;  ///< position along the segment
+  double to;
+};
+
 /// Where segments were found to meet, in a part of the cells.
 struct alignas(64) Meetings {  // threads fill neighbours: each needs cache lines of its own
   std::vector<Crossing> crossings;
   std::vector<Event> events;  ///< points count crossings from those of this part on
+  std::vector<HiddenPart> hidden;
   std::uint32_t before = 0;   ///< crossings of earlier parts
   bool lines_shared = false;  ///< whether segments are known to be on one line
 };
@@ -256,9 +264,13 @@ struct ArrangementScratch {
   std::vector<MeetingScratch> meeting;  ///< by thread
   std::vector<Meetings> meetings;       ///< part by part; crossings are moved to the next list
   std::vector<Crossing> crossings;
+  std::vector<HiddenPart> hidden;
   std::vector<Incident> incidents;
   std::vector<Event> sorted_events;
   std::vector<std::uint32_t> event_begin;  ///< by kept segment
+  /// Which stretches between events have hidden parts: segment by segment, and of each segment one
+  /// more than it has events. Empty if nothing is hidden.
+  std::vector<std::uint8_t> hides;
   enum class Ordered : std::uint8_t { kNot, kRoughly, kWholly };
   std::vector<Ordered> ordered;  ///< by kept segment: how far threads have ordered its events
   std::vector<std::uint32_t> root_of_node;  ///< a point for each node
@@ -306,9 +318,9 @@ void join_lines(const Operands& operands, Cancellation& cancellation, JoinScratc
 void bin_segments(const Operands& operands, const Convolution& convolution, const Cover& cover,
                   const Limits& limits, Cancellation& cancellation, ArrangementScratch& scratch,
                   Arrangement& arrangement);
-/// Fills crossings and events, and unites points that pairs of segments share.
-void find_crossings(const Cover& cover, const SumSettings& options, Predicates& predicates,
-                    ArrangementScratch& scratch, Arrangement& arrangement);
+/// Fills crossings, events and hidden parts, and unites points that pairs of segments share.
+void find_crossings(const Operands& operands, const Cover& cover, const SumSettings& options,
+                    Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement);
 /// Orders events along each segment, unites equal ones, and makes nodes and pieces. O(c log c) for
 /// c incidences.
 ///
@@ -322,42 +334,6 @@ void split_segments(const Operands& operands, const Cover& cover, bool tight_wan
 /// Returns the segment whose end is the end of a kept one.
 [[nodiscard]] inline const Segment& last_segment(const KeptSegment& s, const JoinScratch& scratch) {
   return s.joined == 0 ? s.segment : scratch.joined[s.joined - 1].last;
-}
-
-/// Returns the root of a point's tree.
-inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t point) {
-  while (parent[point] != point) {
-    parent[point] = parent[parent[point]];
-    point = parent[point];
-  }
-  return point;
-}
-inline void unite(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
-  a = find_root(parent, a);
-  b = find_root(parent, b);
-  if (a < b) parent[b] = a;
-  if (b < a) parent[a] = b;
-}
-/// Does what `find_root` does, while other threads do it and unite trees.
-inline std::uint32_t find_shared_root(std::vector<std::uint32_t>& parent, std::uint32_t point) {
-  constexpr auto kRelaxed = std::memory_order_relaxed;  // only links are read before all tasks end
-  const auto link = [&](std::uint32_t at) { return std::atomic_ref(parent[at]); };
-  while (true) {
-    const std::uint32_t up = link(point).load(kRelaxed);
-    if (up == point) return point;
-    const std::uint32_t further = link(up).load(kRelaxed);
-    if (further != up) link(point).store(further, kRelaxed);
-    point = further;
-  }
-}
-/// Does what `unite` does, while other threads do it, too. The roots depend on what is united, not
-/// on when: a link always leads from a root to a smaller point.
-inline void unite_shared(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
-  while ((a = find_shared_root(parent, a)) != (b = find_shared_root(parent, b))) {
-    std::uint32_t expected = std::max(a, b);
-    const std::atomic_ref link(parent[expected]);
-    if (link.compare_exchange_strong(expected, std::min(a, b), std::memory_order_relaxed)) return;
-  }
 }
 
 /// Compares nodes exactly, with the filter in front.

@@ -131,7 +131,7 @@ void CrowdFinder::meet_members(std::size_t group) {
     kept[id].b = moved[i].end;
   }
   SegmentMeeter meeter(meeter_, extent, kept, kept_[members[begin].segment].a);
-  CrowdFinder finder(extent, kept, meeter, memory, cancellation_);
+  CrowdFinder finder(extent, kept, meeter, memory, hiding_, cancellation_);
   for (std::size_t i = begin; i < end; ++i) finder.add(members[i].segment, {});
   finder.solve({});
 }

@@ -22,12 +22,16 @@ namespace minksum {
 /// near one another to be divided. They become a group: they are moved to the origin, so that
 /// doubles tell them apart again, and are divided there. A longer segment near a group is compared
 /// with each of its members.
+///
+/// A part that lies inside the sum is left out. Whether it does is tried with the sums of two edges
+/// next to the segments around it.
 class CrowdFinder {
  public:
-  /// All coordinates are in [0, extent].
+  /// All coordinates are in [0, extent]. No part is left out if `hiding` is null.
   CrowdFinder(double extent, const std::vector<KeptSegment>& kept, SegmentMeeter& meeter,
-              CrowdScratch& scratch, Cancellation& cancellation)
+              CrowdScratch& scratch, const Operands* hiding, Cancellation& cancellation)
       : kept_(kept),
+        hiding_(hiding),
         meeter_(meeter),
         scratch_(scratch),
         items_(scratch.items),
@@ -64,12 +68,13 @@ class CrowdFinder {
 
  private:
   using Division = MedianDivision<CrowdFinder>;
+  struct Parallelogram;
   friend Division;
 
   // What the division asks for.
-  bool enter(std::size_t /*begin*/, std::size_t /*end*/, const BoxOf<double>& part) {
+  bool enter(std::size_t above, std::size_t begin, std::size_t end, const BoxOf<double>& part) {
     meeter_.enter(part);
-    return true;
+    return hiding_ == nullptr || above == begin || !hide(above, begin, end);
   }
   template <Axis axis>
   [[nodiscard]] bool cut(KeptId segment, double at, LineCut& result) const {
@@ -77,7 +82,11 @@ class CrowdFinder {
     const auto [a, b] = kept_[segment].clipped();
     return cut_segment<axis>(a, b, at, shortest_, cut_error_, result);
   }
+  [[nodiscard]] std::optional<DividingLine> line_among_crossings(std::size_t begin, std::size_t end,
+                                                                 const BoxOf<double>& part) const;
   void meet_few(std::size_t begin, std::size_t end);
+  [[nodiscard]] bool hide(std::size_t above, std::size_t begin, std::size_t end);
+  [[nodiscard]] bool hide_by(const Parallelogram& shape, std::size_t begin, std::size_t end);
   void sort_along(Axis axis, std::vector<BoxedSegment>& items, std::size_t begin,
                   std::size_t end) const;
   void meet_crowd(std::size_t begin, std::size_t end, const BoxOf<double>& box);
@@ -110,6 +119,7 @@ class CrowdFinder {
   }
 
   const std::vector<KeptSegment>& kept_;
+  const Operands* hiding_;  ///< whose edges hide parts; null if no part is to be left out
   SegmentMeeter& meeter_;
   CrowdScratch& scratch_;
   std::vector<BoxedSegment>& items_;

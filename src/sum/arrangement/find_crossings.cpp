@@ -15,7 +15,7 @@ class CrossingFinder {
  public:
   CrossingFinder(const SumSettings& options, Predicates& predicates, MeetingScratch& memory,
                  ArrangementScratch& scratch, const std::vector<KeptSegment>& kept,
-                 Meetings& meetings, const Cover* hidden, bool alone)
+                 Meetings& meetings, const Cover* hidden, const Operands* hiding, bool alone)
       : grid_(scratch.grid),
         cancellation_(predicates.cancellation()),
         scratch_(scratch),
@@ -23,7 +23,7 @@ class CrossingFinder {
         kept_(kept),
         meeter_(std::max(scratch.extent.x, scratch.extent.y), options, predicates, scratch, kept,
                 meetings, alone),
-        crowds_(std::max(scratch.extent.x, scratch.extent.y), kept, meeter_, memory.crowds,
+        crowds_(std::max(scratch.extent.x, scratch.extent.y), kept, meeter_, memory.crowds, hiding,
                 cancellation_) {
     meeter_.hide(hidden);
   }
@@ -207,13 +207,19 @@ void join_crossings(std::uint64_t most, Cancellation& cancellation, ArrangementS
 
 }  // namespace
 
-void find_crossings(const Cover& cover, const SumSettings& options, Predicates& predicates,
-                    ArrangementScratch& scratch, Arrangement& arrangement) {
+void find_crossings(const Operands& operands, const Cover& cover, const SumSettings& options,
+                    Predicates& predicates, ArrangementScratch& scratch, Arrangement& arrangement) {
   constexpr std::uint64_t kUnitsOfItem = 16;       // an item meets some others, in 150 ns
   constexpr std::uint64_t kUnitsInCrowd = 1 << 9;  // a segment is divided and meets others, in 5 us
   Cancellation& cancellation = predicates.cancellation();
   const auto& kept = arrangement.kept;
   const bool by_cells = scratch.by_cells;
+  // Tight places are inside the sum.
+  const bool may_hide = options.cover && options.method != Method::kFull &&
+                        !options.tight.value_or(false) &&
+                        !std::isinf(predicates.bounds().direction);
+  const Operands* const hiding = may_hide ? &operands : nullptr;
+  scratch.hidden.clear();
   scratch.parent.clear();
   make_room(scratch.parent, 3 * kept.size(), cancellation);  // crossings follow
   start_forest(scratch.parent, 2 * kept.size(), cancellation);
@@ -225,15 +231,21 @@ void find_crossings(const Cover& cover, const SumSettings& options, Predicates& 
     for (Meetings& part : scratch.meetings) {
       part.crossings.clear();
       part.events.clear();
+      part.hidden.clear();
       part.lines_shared = false;
     }
     share_decisions(
         tasks, predicates, [&](std::size_t task, std::size_t member, Predicates& decide) {
-          CrossingFinder finder(options, decide, scratch.meeting[member], scratch, kept,
-                                scratch.meetings[task],
-                                scratch.covered && !by_cells ? &cover : nullptr, tasks == 1);
+          CrossingFinder finder(
+              options, decide, scratch.meeting[member], scratch, kept, scratch.meetings[task],
+              scratch.covered && !by_cells ? &cover : nullptr, hiding, tasks == 1);
           solve(finder, task);
         });
+    for (const Meetings& part : scratch.meetings) {
+      visit_in_pieces(part.hidden, cancellation, [&](const HiddenPart& hidden) {
+        append(scratch.hidden, hidden, cancellation);
+      });
+    }
   };
   BoxPairs pairs(scratch.extent.x, scratch.extent.y, predicates.bounds().position, scratch.pairs);
   if (by_cells) {

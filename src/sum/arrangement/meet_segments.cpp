@@ -9,7 +9,7 @@
 namespace minksum {
 namespace {
 
-constexpr double kSlack = 0x1p-34;  // beside the extent
+constexpr double kSlack = 0x1p-36;  // beside the extent
 
 double reach(const KeptSegment& s) { return std::max(std::abs(s.d.x), std::abs(s.d.y)); }
 Vec<double> along(const KeptSegment& s, double lambda) {

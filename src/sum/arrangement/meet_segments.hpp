@@ -61,6 +61,8 @@ class SegmentMeeter {
   /// Unites ends of s and t that coincide, and adds crossings and events. s must be less than t.
   /// O(1): at most four orientations.
   void meet(KeptId s, KeptId t);
+  /// Returns the list of hidden parts.
+  [[nodiscard]] std::vector<HiddenPart>& hidden() { return meetings_.hidden; }
   /// Returns the distance from a part within which segments are listed in it.
   [[nodiscard]] double slack() const { return slack_; }
   /// Returns a bound on the error of a segment's place.

@@ -24,10 +24,12 @@ class Splitter {
         result_(arrangement),
         points_(predicates, scratch, arrangement),
         ends_(points_.ends()),
-        may_coincide_(scratch.covered || cover.clips || scratch.lines_shared) {}
+        may_coincide_(scratch.covered || cover.clips || scratch.lines_shared ||
+                      !scratch.hidden.empty()) {}
 
   void run() {
     order_events(predicates_, scratch_, result_);
+    mark_hidden();
     scratch_.root_of_node.clear();
     result_.pieces.clear();
     if (may_coincide_) {
@@ -91,6 +93,7 @@ class Splitter {
 
   /// A possible piece: where it begins, and where it ends.
   struct Stretch {
+    std::size_t event = 0;  ///< the number of `to` among the segment's events
     Event from{};
     Event to{};
     std::uint32_t from_root = 0;
@@ -117,6 +120,7 @@ class Splitter {
         at.from_root = at.to_root;
         at.from_at = place;
       }
+      ++at.event;
     };
     for (const Event& event : events_of(s)) {
       go_to(event, {k.a.x + event.lambda * k.d.x, k.a.y + event.lambda * k.d.y});
@@ -125,11 +129,34 @@ class Splitter {
   }
   [[nodiscard]] bool is_whole(KeptId s) const {
     const KeptSegment& k = result_.kept[s];
-    return !k.meets_cover && k.clip.is_whole() && k.joined == 0 && events_of(s).empty();
+    return !k.meets_cover && k.clip.is_whole() && k.joined == 0 && events_of(s).empty() &&
+           !is_hidden(s, 0);
   }
   [[nodiscard]] bool is_left_out(KeptId s, const Stretch& at, Cancellation& cancellation) const {
     return is_inside(s, at.from.point, at.to.point) || is_clipped(result_.kept[s].clip, at) ||
+           is_hidden(s, at.event) ||
            (result_.kept[s].meets_cover && is_covered(at.from_at, at.to_at, cancellation));
+  }
+  /// Whether the stretch before an event of s, or after the last one, has a hidden part.
+  [[nodiscard]] bool is_hidden(KeptId s, std::size_t event) const {
+    return !scratch_.hides.empty() && scratch_.hides[scratch_.event_begin[s] + s + event] != 0;
+  }
+  /// Hidden parts reach a slack beyond what they hide, and positions are far less off.
+  void mark_hidden() {
+    auto& hides = scratch_.hides;
+    hides.clear();
+    if (scratch_.hidden.empty()) return;
+    const std::size_t stretches = scratch_.sorted_events.size() + result_.kept.size();
+    assign_in_pieces(hides, stretches, std::uint8_t{0}, cancellation_);
+    visit_in_pieces(scratch_.hidden, cancellation_, [&](const HiddenPart& part) {
+      const auto events = events_of(part.segment);
+      std::uint8_t* const mark = &hides[scratch_.event_begin[part.segment] + part.segment];
+      const auto first = std::partition_point(events.begin(), events.end(),
+                                              [&](const Event& e) { return e.lambda < part.from; });
+      auto event = static_cast<std::size_t>(first - events.begin());
+      mark[event] = 1;
+      for (; event < events.size() && events[event].lambda <= part.to; ++event) mark[event + 1] = 1;
+    });
   }
   /// Whether a piece reaches into what was clipped off.
   [[nodiscard]] static bool is_clipped(const Clip& clip, const Stretch& at) {
@@ -335,7 +362,8 @@ class Splitter {
   SharedPoints points_;
   std::uint32_t ends_;  ///< points of lower numbers are ends of segments
   /// Whether two pieces may have the same ends. That happens where segments overlap on one line.
-  /// If something is covered or clipped, not all pairs were met, so this is true to be safe.
+  /// If something is covered, hidden or clipped, not all pairs were met, so this is true to be
+  /// safe.
   bool may_coincide_;
 };
 

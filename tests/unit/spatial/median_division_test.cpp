@@ -21,7 +21,7 @@ class Recorder {
       : lines_(lines), items_(items) {}
   std::vector<std::vector<std::uint32_t>> handled;
 
-  bool enter(std::size_t, std::size_t, const BoxOf<double>&) { return true; }
+  bool enter(std::size_t, std::size_t, std::size_t, const BoxOf<double>&) { return true; }
   template <Axis axis>
   [[nodiscard]] bool cut(std::uint32_t line, double at, LineCut& result) const {
     return cut_segment<axis>(lines_[line].a, lines_[line].b, at, 0x1p-30, 0x1p-40, result);
@@ -32,6 +32,10 @@ class Recorder {
   }
   [[nodiscard]] bool is_sorted_soon(std::size_t, std::size_t, const BoxOf<double>&) const {
     return false;
+  }
+  [[nodiscard]] std::optional<DividingLine> line_among_crossings(std::size_t, std::size_t,
+                                                                 const BoxOf<double>&) const {
+    return std::nullopt;
   }
 
  private:

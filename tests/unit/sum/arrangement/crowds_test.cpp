@@ -80,7 +80,8 @@ void expect_all_found(const Region& p, const Region& q) {
   });
   const auto of_crowds = meetings(p, q, [](Crowd& crowd, SegmentMeeter& meeter) {
     CrowdScratch memory;
-    CrowdFinder finder(crowd.extent(), crowd.arrangement.kept, meeter, memory, crowd.never);
+    CrowdFinder finder(crowd.extent(), crowd.arrangement.kept, meeter, memory, nullptr,
+                       crowd.never);
     for (KeptId s = 0; s < crowd.scratch.line_count; ++s) finder.add(s, {});
     finder.solve({});
   });
@@ -206,6 +207,45 @@ TEST(Crowds, CellsThatSegmentsCrowdAreGivenUp) {
   // At each of the star's convex vertices, long edges pass the same cells.
   const Region large = test::make_polygon({{0, 0}, {9000000, 300000}, {200000, 9900000}});
   EXPECT_FALSE(keeps_cells(large, star, 1024));
+}
+
+/// Slivers with one corner in common.
+Region slivers(std::int64_t count, std::int64_t length) {
+  Region result;
+  for (std::int64_t i = 0; i < count; ++i) {
+    result.begin_polygon();
+    result.begin_ring();
+    result.add_vertex(0, 0);
+    result.add_vertex(length, 2 * i);
+    result.add_vertex(length, 2 * i + 1);
+  }
+  return result;
+}
+/// Triangles with one corner in common, all around it.
+Region fan(std::int64_t count, std::int64_t size) {
+  const Region quarter = transform(slivers(count / 4, size), Affine{1, 0, 0, 0, size / count, 0});
+  return unite(unite(quarter, mapped(quarter, -1, 0, 0, -1)),
+               unite(mapped(quarter, 0, -1, 1, 0), mapped(quarter, 0, 1, -1, 0)));
+}
+
+// Such segments cross near the corner, deep inside the sum, where no grid is fine enough.
+TEST(Crowds, PartsInsideTheSumAreLeftOut) {
+  const Region triangle = test::make_polygon({{0, 0}, {30, 10}, {10, 20}});
+  for (const Region& p : {slivers(500, 1000000), fan(600, 1000000000), fan(600, 1000000)}) {
+    SumSettings settings;
+    settings.check = true;
+    const DetailedSum found = detailed_sum(p, triangle, settings);
+    settings.threads = 3;
+    settings.share_all = true;
+    const DetailedSum shared = detailed_sum(p, triangle, settings);
+    settings.cover = false;
+    const DetailedSum whole = detailed_sum(p, triangle, settings);
+    EXPECT_EQ(found.sum, whole.sum);
+    EXPECT_EQ(found.sum, shared.sum);
+    EXPECT_EQ(found.statistics.crossings, shared.statistics.crossings);
+    EXPECT_EQ(found.statistics.by_filter, shared.statistics.by_filter);
+    EXPECT_LT(found.statistics.crossings, whole.statistics.crossings / 2);
+  }
 }
 
 }  // namespace
