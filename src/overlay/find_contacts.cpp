@@ -106,7 +106,7 @@ class ContactFinder {
 
   // What the division asks for.
   [[nodiscard]] bool enter(std::size_t /*above*/, std::size_t begin, std::size_t end,
-                           const BoxOf<double>& /*part*/) const {
+                           const BoxOf<double>& /*box*/, const BoxOf<double>& /*part*/) const {
     return !too_many() && has_suspects(begin, end);
   }
   template <Axis axis>

@@ -60,14 +60,17 @@ struct UndividedPart {
 /// dividing does not pay. Boxes are cut to each part.
 ///
 /// A User has these functions. [begin, end) are indices of items.
-/// - `bool enter(above, begin, end, const BoxOf<double>& part)` is told of each part. If it returns
-///   false, the part is left out. The items [above, begin) are those of the part that was divided.
+/// - `bool enter(above, begin, end, box, const BoxOf<double>& part)` is told of each part, and of
+/// the
+///   box of its items. If it returns false, the part is left out. The items [above, begin) are
+///   those of the part that was divided.
 /// - `bool cut<axis>(segment, at, LineCut&)` tells where a segment meets the line axis = at.
 ///   Returns false if the segment runs so nearly along that line that the place is not known.
 /// - `void meet_few(begin, end)` handles the items of a part that are few.
 /// - `void meet_crowd(begin, end, box)` handles items that lie in the box and are not to be
 /// divided.
-/// - `std::optional<DividingLine> line_among_crossings(begin, end, part)` tells where to divide items
+/// - `std::optional<DividingLine> line_among_crossings(begin, end, part)` tells where to divide
+/// items
 ///   that medians do not part, or nothing if they are to be left as they are.
 /// - `bool is_sorted_soon(begin, end, box)` tells whether to handle a crowd that way rather than to
 ///   divide it poorly.
@@ -191,10 +194,11 @@ class MedianDivision {
   void divide(std::size_t above, std::size_t begin, std::size_t end, const BoxOf<double>& part,
               int poor) {
     const std::size_t count = end - begin;
-    if (count < 2 || !user_.enter(above, begin, end, part)) return;
+    if (count < 2) return;
+    const BoxOf<double> box = bounds_of(begin, end);
+    if (!user_.enter(above, begin, end, box, part)) return;
     if (count <= most_undivided_) return put_off(begin, end, part, poor);
     if (count <= kFew) return user_.meet_few(begin, end);
-    const BoxOf<double> box = bounds_of(begin, end);
     std::optional<DividingLine> line = line_at_median(begin, end, box, poor);
     if (!line) line = user_.line_among_crossings(begin, end, part);
     if (!line) {

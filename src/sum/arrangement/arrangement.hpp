@@ -264,7 +264,7 @@ struct ArrangementScratch {
   std::vector<MeetingScratch> meeting;  ///< by thread
   std::vector<Meetings> meetings;       ///< part by part; crossings are moved to the next list
   std::vector<Crossing> crossings;
-  std::vector<HiddenPart> hidden;
+  std::vector<HiddenPart> hidden;  ///< of all segments, in any order
   std::vector<Incident> incidents;
   std::vector<Event> sorted_events;
   std::vector<std::uint32_t> event_begin;  ///< by kept segment

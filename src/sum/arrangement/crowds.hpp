@@ -72,9 +72,10 @@ class CrowdFinder {
   friend Division;
 
   // What the division asks for.
-  bool enter(std::size_t above, std::size_t begin, std::size_t end, const BoxOf<double>& part) {
+  bool enter(std::size_t above, std::size_t begin, std::size_t end, const BoxOf<double>& box,
+             const BoxOf<double>& part) {
     meeter_.enter(part);
-    return hiding_ == nullptr || above == begin || !hide(above, begin, end);
+    return hiding_ == nullptr || !hide(above, begin, end, box);
   }
   template <Axis axis>
   [[nodiscard]] bool cut(KeptId segment, double at, LineCut& result) const {
@@ -85,7 +86,8 @@ class CrowdFinder {
   [[nodiscard]] std::optional<DividingLine> line_among_crossings(std::size_t begin, std::size_t end,
                                                                  const BoxOf<double>& part) const;
   void meet_few(std::size_t begin, std::size_t end);
-  [[nodiscard]] bool hide(std::size_t above, std::size_t begin, std::size_t end);
+  [[nodiscard]] bool hide(std::size_t above, std::size_t begin, std::size_t end,
+                          const BoxOf<double>& box);
   [[nodiscard]] bool hide_by(const Parallelogram& shape, std::size_t begin, std::size_t end);
   void sort_along(Axis axis, std::vector<BoxedSegment>& items, std::size_t begin,
                   std::size_t end) const;

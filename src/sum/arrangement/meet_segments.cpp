@@ -9,7 +9,10 @@
 namespace minksum {
 namespace {
 
-constexpr double kSlack = 0x1p-36;  // beside the extent
+// Beside the extent. Parts that lie inside the sum are left out down to some slacks. With 2^-34,
+// 10,000 triangles around a vertex ⊕ a tiny one have 2.6 times the crossings. With 2^-38, rounded
+// positions are too coarse more often: 10,000 slivers take six times as many exact decisions.
+constexpr double kSlack = 0x1p-36;
 
 double reach(const KeptSegment& s) { return std::max(std::abs(s.d.x), std::abs(s.d.y)); }
 Vec<double> along(const KeptSegment& s, double lambda) {

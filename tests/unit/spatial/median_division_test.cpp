@@ -21,7 +21,9 @@ class Recorder {
       : lines_(lines), items_(items) {}
   std::vector<std::vector<std::uint32_t>> handled;
 
-  bool enter(std::size_t, std::size_t, std::size_t, const BoxOf<double>&) { return true; }
+  bool enter(std::size_t, std::size_t, std::size_t, const BoxOf<double>&, const BoxOf<double>&) {
+    return true;
+  }
   template <Axis axis>
   [[nodiscard]] bool cut(std::uint32_t line, double at, LineCut& result) const {
     return cut_segment<axis>(lines_[line].a, lines_[line].b, at, 0x1p-30, 0x1p-40, result);
