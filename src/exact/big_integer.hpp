@@ -101,6 +101,9 @@ struct Division {
 /// even. Denormals, and overflow to infinity, are as in IEEE 754; zero is +0.
 [[nodiscard]] double nearest_double(const BigInteger& numerator, const BigInteger& denominator,
                                     std::int64_t exp2 = 0);
+/// Does the same for short numbers that are not negative.
+[[nodiscard]] double nearest_double(Uint128 numerator, std::uint64_t denominator,
+                                    std::int64_t exp2);
 [[nodiscard]] double to_double(const BigInteger& value);
 
 }  // namespace minksum

@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "exact/formulas.hpp"
+#include "exact/wide_int.hpp"
 #include "minksum/region.hpp"
 
 namespace minksum {
@@ -19,6 +21,13 @@ class BigInteger;
 /// Parts of StoredCoordinate::numerator_limbs: the sign and the count.
 inline constexpr std::uint16_t kNegativeLimbs = 0x8000;
 inline constexpr std::uint16_t kLimbCountMask = 0x7fff;
+
+/// The number ±numerator / denominator.
+struct ShortQuotient {
+  Uint128 numerator = 0;
+  std::uint64_t denominator = 1;
+  bool negative = false;
+};
 
 class RegionAccess {
  public:
@@ -117,6 +126,9 @@ class RegionAccess {
   }
   /// Returns a coordinate without its powers of two and ten, not in lowest terms.
   static Quotient<BigInteger> quotient(const Region& region, const StoredCoordinate& coordinate);
+  /// Returns a coordinate without its power of two, not in lowest terms, if that is short enough.
+  static std::optional<ShortQuotient> short_quotient(const Region& region,
+                                                     const StoredCoordinate& coordinate);
   static Rational exact(const Region& region, const StoredCoordinate& coordinate) {
     return region.exact(coordinate);
   }

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -70,19 +69,6 @@ bool store_as_binary(const BigInteger& numerator, const BigInteger& denominator,
   return true;
 }
 
-// Reads m · 10^exp10 by the standard library's correctly rounding reader, if there is one.
-bool nearest_by_text([[maybe_unused]] const StoredCoordinate& c, [[maybe_unused]] double& result) {
-#if defined(__cpp_lib_to_chars)
-  std::array<char, 32> text{};
-  char* end = std::to_chars(text.data(), text.data() + 21, c.payload).ptr;
-  *end++ = 'e';
-  end = std::to_chars(end, text.data() + text.size(), c.exp10).ptr;
-  return std::from_chars(text.data(), end, result).ec == std::errc();
-#else
-  return false;
-#endif
-}
-
 constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                  1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                  1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -99,7 +85,7 @@ double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kBias) << kMantissaBits);
 }
 
-// Rounds m · 2^exp2 · 10^exp10 in the cases that are quick and exact. Big integers do the others.
+// Rounds m · 2^exp2 · 10^exp10 in the cases that take one rounding of exact doubles.
 bool nearest_quick(const StoredCoordinate& c, double& result) {
   const bool exact_mantissa = c.payload <= kExactDoubleLimit && c.payload >= -kExactDoubleLimit;
   if (c.exp10 == 0) {
@@ -120,7 +106,7 @@ bool nearest_quick(const StoredCoordinate& c, double& result) {
                          : mantissa * kPowersOfTen[static_cast<std::size_t>(c.exp10)];
     return true;
   }
-  return nearest_by_text(c, result);
+  return false;
 }
 
 // Returns the value of up to two limbs, with a relative error below 2^-52.
@@ -183,16 +169,37 @@ Rational Region::exact(const StoredCoordinate& c) const {
 }
 
 double Region::nearest(const StoredCoordinate& c) const {
-  if (c.denominator_limbs == 0) {
-    double result = 0;
-    if (c.payload == 0 || nearest_quick(c, result)) return result;
-    if (c.exp10 == 0) return nearest_double(c.payload, 1, c.exp2);
-    return exact(c).to_double();
+  double result = 0;
+  if (c.denominator_limbs == 0 && (c.payload == 0 || nearest_quick(c, result))) return result;
+  if (const auto brief = RegionAccess::short_quotient(*this, c)) {
+    result = nearest_double(brief->numerator, brief->denominator, c.exp2);
+    return brief->negative && result != 0 ? -result : result;
   }
   // The quotient is not in lowest terms: finding these would cost more than the rounding.
   auto [numerator, denominator] = RegionAccess::quotient(*this, c);
   scale(numerator, denominator, 0, c.exp10);
   return nearest_double(numerator, denominator, c.exp2);
+}
+
+std::optional<ShortQuotient> RegionAccess::short_quotient(const Region& region,
+                                                          const StoredCoordinate& c) {
+  constexpr int kMostTens = 19;  // 10^19 has 64 bits
+  if (c.exp10 > 0 || c.exp10 < -kMostTens) return {};
+  std::uint64_t tens = 1;
+  for (int k = c.exp10; k < 0; ++k) tens *= 10;
+  if (c.denominator_limbs == 0) {
+    const auto size = static_cast<std::uint64_t>(c.payload);
+    return ShortQuotient{c.payload < 0 ? 0 - size : size, tens, c.payload < 0};
+  }
+  const std::size_t above = c.numerator_limbs & kLimbCountMask;
+  if (c.denominator_limbs > 1 || above > 2) return {};
+  const std::uint64_t* digits = limbs(region).data() + c.payload;
+  ShortQuotient result;
+  if (__builtin_mul_overflow(digits[above], tens, &result.denominator)) return {};
+  if (above > 0) result.numerator = digits[0];
+  if (above > 1) result.numerator |= Uint128{digits[1]} << 64;
+  result.negative = (c.numerator_limbs & kNegativeLimbs) != 0;
+  return result;
 }
 
 Quotient<BigInteger> RegionAccess::quotient(const Region& region, const StoredCoordinate& c) {

@@ -11,11 +11,8 @@
 namespace minksum {
 namespace {
 
-/// Orders vertices by x, then by y. Nearest doubles that differ have the order of the numbers.
+/// Orders vertices by x, then by y.
 bool before(const Region& region, std::size_t a, std::size_t b) {
-  const double from = region.x(a);
-  const double to = region.x(b);
-  if (from != to) return from < to;
   const auto by_x =
       RegionAccess::compare(region, RegionAccess::x(region, a), RegionAccess::x(region, b));
   if (by_x != 0) return by_x < 0;

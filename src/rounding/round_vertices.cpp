@@ -49,8 +49,22 @@ bool is_exactly(const StoredCoordinate& c, double value) {
          std::ldexp(value, -c.exp2) == static_cast<double>(c.payload);
 }
 
+/// Returns the difference of a short number from its nearest double.
+std::optional<double> off_nearest(const Region& region, const StoredCoordinate& c, double value) {
+  const auto brief = RegionAccess::short_quotient(region, c);
+  const auto [mantissa, exponent] = mantissa_and_exponent(std::abs(value));
+  const int shift = c.exp2 - exponent;
+  if (!brief || !std::isnormal(value) || shift < 0 || shift > 127) return {};
+  // In units of 2^exponent / denominator, the difference is half of the denominator at most. So
+  // what 128 bits hold of the products tells it.
+  const auto more = static_cast<Int128>((brief->numerator << shift) -
+                                        static_cast<Uint128>(mantissa) * brief->denominator);
+  return signed_double(brief->negative ? -more : more, brief->denominator, exponent);
+}
+
 double off_double(const Region& region, const StoredCoordinate& c, double value) {
   if (is_exactly(c, value)) return 0;
+  if (const auto off = off_nearest(region, c, value)) return *off;
   Scaled exact = scaled(region, c, 0);
   const auto [mantissa, exponent] = mantissa_and_exponent(value);
   const int low = mantissa == 0 ? exact.exp2 : std::min(exact.exp2, exponent);

@@ -4,13 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "minksum/boolean.hpp"
 #include "minksum/minkowski_sum.hpp"
 #include "rounding/hot_pixels.hpp"
 #include "rounding/keep_topology.hpp"
+#include "rounding/round_vertices.hpp"
+#include "support/random.hpp"
 #include "support/rounding_options.hpp"
 #include "support/shapes.hpp"
 
@@ -228,6 +233,56 @@ TEST(Round, SidesHaveNames) {
 }
 
 // -- The parts of rounding ----------------------------------------------------------------------
+
+// Tells whether no other double is nearer to a number, and whether a tie has gone to even.
+bool is_nearest(double value, const Rational& exact) {
+  const auto distance = [&](double to) {
+    const Rational difference = Rational(to) - exact;
+    return difference.sign() < 0 ? -difference : difference;
+  };
+  return std::ranges::all_of(std::array{-HUGE_VAL, HUGE_VAL}, [&](double way) {
+    const double next = std::nextafter(value, way);
+    const bool is_even = (std::bit_cast<std::uint64_t>(value) & 1) == 0;
+    return distance(value) < distance(next) || (is_even && distance(value) == distance(next));
+  });
+}
+
+BigInteger random_odd(Random& random, int bits) {
+  BigInteger result = 1;
+  for (int i = 1; i < bits; ++i) result = (result << 1) + (i + 1 == bits ? 1 : random.below(2));
+  return random.one_in(2) ? -result : result;
+}
+
+TEST(RoundVertices, TellsTheNearestDoublesAndHowFarTheyAre) {
+  Random random(11);
+  const Options options;
+  Cancellation cancellation(options, Stage::kRounding);
+  for (int bits = 1; bits <= 140; ++bits) {
+    Region region;
+    region.begin_polygon();
+    region.begin_ring();
+    for (const int tens : {0, 1, 15, 18, 19, 20, 40}) {
+      for (const int twos : {-1100, -200, -60, -1, 0, 1, 30}) {
+        const BigInteger divisor = abs(random_odd(random, 1 + random.below(40)));
+        region.add_vertex(RationalAccess::make(random_odd(random, bits), 1, twos, -tens),
+                          RationalAccess::make(random_odd(random, bits), divisor, twos, -tens));
+      }
+    }
+    const RoundedVertices vertices = round_vertices(region, {}, cancellation);
+    ASSERT_EQ(vertices.size(), 49U);
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      const auto check = [&](const Rational& exact, const RoundedCoordinate& place, double off) {
+        EXPECT_TRUE(is_nearest(place.value, exact)) << exact;
+        const Rational difference = exact - Rational(place.value);
+        EXPECT_EQ(off == 0, difference.sign() == 0) << exact;
+        const bool is_least = std::abs(off) == std::numeric_limits<double>::denorm_min();
+        EXPECT_TRUE(is_least || is_nearest(off, difference)) << exact;
+      };
+      check(region.exact_x(v), vertices[v].x, vertices[v].off_x);
+      check(region.exact_y(v), vertices[v].y, vertices[v].off_y);
+    }
+  }
+}
 
 TEST(KeepTopology, Judges) {
   Cancellation never;
