@@ -20,11 +20,11 @@ Workspace::State& Workspace::state() {
 namespace {
 
 /// Whether reflex vertices take part. They have no segments in the sum of two thin operands.
-bool is_full(const Workspace::State& w, const SumSettings& options) {
+bool is_full(const StageMemory& w, const SumSettings& options) {
   return options.method == Method::kFull && !w.operands.both_thin();
 }
 
-void count(const Workspace::State& w, const Predicates& predicates, Statistics& statistics) {
+void count(const StageMemory& w, const Predicates& predicates, Statistics& statistics) {
   statistics.convolution_segments = w.convolution.size;
   statistics.segments_kept = w.arrangement.kept.size();
   statistics.crossings = w.arrangement.crossings;
@@ -43,7 +43,7 @@ void count(const Workspace::State& w, const Predicates& predicates, Statistics& 
                                                    : statistics.by_fixed_width) = counts.by_kernel;
 }
 
-void report_tight_places(const SumRequest& options, Predicates& predicates, Workspace::State& w) {
+void report_tight_places(const SumRequest& options, Predicates& predicates, StageMemory& w) {
   find_tight_places(w.operands, w.arrangement, w.loops, w.filtered, predicates, w.trees,
                     w.tight_scratch, w.tight);
   write_tight_places(w.operands, w.arrangement, w.tight, predicates.cancellation(),
@@ -54,7 +54,7 @@ void report_tight_places(const SumRequest& options, Predicates& predicates, Work
 
 const PreparedOperand& prepare(const CallerOperand& given, std::size_t operand,
                                const SumRequest& options, Cancellation& cancellation,
-                               Workspace::State& w) {
+                               StageMemory& w) {
   if (given.operand != nullptr) return *given.operand;
   const std::size_t faults_wanted = given.small == nullptr ? 1 : 0;
   std::vector<Fault> faults;
@@ -64,7 +64,7 @@ const PreparedOperand& prepare(const CallerOperand& given, std::size_t operand,
   return w.prepared[operand];
 }
 
-void convolve(Workspace::State& w, const SumSettings& options, Cancellation& cancellation) {
+void convolve(StageMemory& w, const SumSettings& options, Cancellation& cancellation) {
   const Operands& o = w.operands;
   if (is_full(w, options)) {
     return full_convolution(o, options.limits, cancellation, w.convolution_scratch, w.convolution);
@@ -79,7 +79,7 @@ void convolve(Workspace::State& w, const SumSettings& options, Cancellation& can
 }
 
 void prepare_valid(const PreparedOperand& p, const Region& valid, NarrowHoles narrow,
-                   const SumRequest& options, Cancellation& cancellation, Workspace::State& w) {
+                   const SumRequest& options, Cancellation& cancellation, StageMemory& w) {
   std::vector<Fault> faults;
   prepare_operand(valid, options, 0, cancellation, w.operand_scratch, w.prepared[1], faults);
   if (!faults.empty()) reject(faults[0], 1);
@@ -87,7 +87,7 @@ void prepare_valid(const PreparedOperand& p, const Region& valid, NarrowHoles na
 }
 
 void run_stages(const SumRequest& options, const SharedRaster* shared, StageRunner& runner,
-                Workspace::State& w, Region& result) {
+                StageMemory& w, Region& result) {
   Cancellation& cancellation = runner.cancellation();
   if (options.check) runner.require(check(w.operands));
   if (w.operands.all_parallel()) return result.clear();
@@ -157,7 +157,7 @@ void run_stages(const SumRequest& options, const SharedRaster* shared, StageRunn
 }
 
 void run_pipeline(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
-                  Workspace::State& w, Region& result) {
+                  StageMemory& w, Region& result) {
   StageRunner runner(options);
   runner.run(Stage::kOperands, [&] {
     Cancellation& cancellation = runner.cancellation();

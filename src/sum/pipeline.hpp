@@ -16,9 +16,8 @@
 namespace minksum {
 
 /// The results and scratch memory of all stages, and the scratch memory of small sums.
-struct Workspace::State {
-  SmallScratch small_scratch;
-  std::array<SmallOperand, 2> small_areas;  ///< of geometries, which are summed part by part
+/// The memory of the stages.
+struct StageMemory {
   OperandScratch operand_scratch;
   std::array<PreparedOperand, 2> prepared;
   std::array<Region, 2> walks;          ///< from `walk_there_and_back`
@@ -40,6 +39,19 @@ struct Workspace::State {
   TightPlaces tight;
 };
 
+struct Workspace::State {
+  SmallScratch small_scratch;
+  std::array<SmallOperand, 2> small_areas;  ///< of geometries, which are summed part by part
+  /// Made when it is asked for: making it takes as long as a sum of two small polygons.
+  [[nodiscard]] StageMemory& stages() {
+    if (!stages_) stages_ = std::make_unique<StageMemory>();
+    return *stages_;
+  }
+
+ private:
+  std::unique_ptr<StageMemory> stages_;
+};
+
 struct PreparedRegion::State {
   Region region;
   PreparedOperand operand;                    ///< made of `region`, unless that is empty
@@ -55,21 +67,21 @@ struct CallerOperand {
 
 /// Computes the sum of two operands that are not empty, by Method::kReduced or kFull.
 void run_pipeline(const CallerOperand& p, const CallerOperand& q, const SumRequest& options,
-                  Workspace::State& w, Region& result);
+                  StageMemory& w, Region& result);
 
 // -- Parts of it --------------------------------------------------------------------------------
 /// Returns the prepared form of an operand, first or second (0 or 1). Prepares it in the workspace
 /// if it is not prepared yet. Throws the error for its first fault, unless it is known to be valid.
 [[nodiscard]] const PreparedOperand& prepare(const CallerOperand& given, std::size_t operand,
                                              const SumRequest& options, Cancellation& cancellation,
-                                             Workspace::State& w);
+                                             StageMemory& w);
 /// Combines a prepared operand with a region that is known to be valid.
 void prepare_valid(const PreparedOperand& p, const Region& valid, NarrowHoles narrow,
-                   const SumRequest& options, Cancellation& cancellation, Workspace::State& w);
+                   const SumRequest& options, Cancellation& cancellation, StageMemory& w);
 /// Lists the convolution, or only a sample of it if it has very many segments.
-void convolve(Workspace::State& w, const SumSettings& options, Cancellation& cancellation);
+void convolve(StageMemory& w, const SumSettings& options, Cancellation& cancellation);
 /// Runs the stages after the first. `shared` is a raster for these operands, or null.
 void run_stages(const SumRequest& options, const SharedRaster* shared, StageRunner& runner,
-                Workspace::State& w, Region& result);
+                StageMemory& w, Region& result);
 
 }  // namespace minksum

@@ -71,11 +71,12 @@ void validate_others(std::array<CallerOperand, 2>& given,
                      const std::array<const SmallOperand*, 2>& small, const SumRequest& options,
                      Workspace::State& state) {
   if (given[0].small != nullptr && given[1].small != nullptr) return;
+  StageMemory& w = state.stages();
   StageRunner runner(options);
   runner.run(Stage::kOperands, [&] {
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
       CallerOperand& o = given[i];
-      if (o.small == nullptr) o.operand = &prepare(o, i, options, runner.cancellation(), state);
+      if (o.small == nullptr) o.operand = &prepare(o, i, options, runner.cancellation(), w);
       o.small = small[i];
     }
   });
@@ -140,7 +141,7 @@ void run(const CallerOperand& p, const CallerOperand& q, const SumRequest& optio
   } else {
     std::array<CallerOperand, 2> given{p, q};
     if (!run_small(given, options, state, result)) {
-      run_pipeline(given[0], given[1], options, state, result);
+      run_pipeline(given[0], given[1], options, state.stages(), result);
     }
   }
   if (options.statistics != nullptr) {
@@ -191,8 +192,8 @@ class Sums final : public PartialSums {
     is_prepared_[i] = true;
     const auto begin = Clock::now();
     std::vector<Fault> faults;
-    prepare_operand(region, options_, 1, cancellation_, state_.operand_scratch, state_.prepared[i],
-                    faults);
+    StageMemory& w = state_.stages();
+    prepare_operand(region, options_, 1, cancellation_, w.operand_scratch, w.prepared[i], faults);
     preparing_ += Clock::now() - begin;
     return faults.empty();
   }
@@ -216,8 +217,8 @@ class Sums final : public PartialSums {
     }
     run(walk(0, p), walk(1, q), quiet_, state_, sum.region);
     forget_origins(sum.region);
-    list_parallel_sums(state_.operands, state_.walks, options_.limits, cancellation_,
-                       sum.polylines);
+    const StageMemory& w = state_.stages();
+    list_parallel_sums(w.operands, w.walks, options_.limits, cancellation_, sum.polylines);
   }
   Cancellation& cancellation() override { return cancellation_; }
   /// Adds what the statistics lack: the time outside of the sum of regions.
@@ -233,14 +234,14 @@ class Sums final : public PartialSums {
     return std::chrono::duration<double>(time).count();
   }
   [[nodiscard]] CallerOperand taken(std::size_t i) const {
-    return {*regions_[i], is_prepared_[i] ? &state_.prepared[i] : nullptr,
+    return {*regions_[i], is_prepared_[i] ? &state_.stages().prepared[i] : nullptr,
             is_small_[i] ? &state_.small_areas[i] : nullptr};
   }
   CallerOperand walk(std::size_t i, std::span<const Polyline> polylines) {
-    walk_there_and_back(polylines, cancellation_, state_.walks[i]);
-    prepare_thin_operand(state_.walks[i], options_, cancellation_, state_.operand_scratch,
-                         state_.thin[i]);
-    return {state_.walks[i], &state_.thin[i]};
+    StageMemory& w = state_.stages();
+    walk_there_and_back(polylines, cancellation_, w.walks[i]);
+    prepare_thin_operand(w.walks[i], options_, cancellation_, w.operand_scratch, w.thin[i]);
+    return {w.walks[i], &w.thin[i]};
   }
 
   const SumRequest& options_;
@@ -368,7 +369,7 @@ void sum_by_stages(const PreparedRegion& p, const PreparedRegion& q, const SumRe
 }
 void minkowski_sum(const PreparedRegion& fixed, const Region& valid, const SharedRaster* shared,
                    const SumRequest& options, Workspace& workspace, Region& result) {
-  Workspace::State& w = workspace.state();
+  StageMemory& w = workspace.state().stages();
   if (options.tight_places != nullptr) *options.tight_places = Geometry{};
   if (fixed.region().empty() || valid.empty()) return result.clear();
   StageRunner runner(options);
@@ -382,7 +383,7 @@ void minkowski_sum(const PreparedRegion& fixed, const Region& valid, const Share
 std::optional<SharedRaster> share_raster(const PreparedRegion& fixed, const Region& typical,
                                          double widest, const SumRequest& options) {
   Workspace workspace;
-  Workspace::State& w = workspace.state();
+  StageMemory& w = workspace.state().stages();
   Cancellation cancellation(options);
   try {
     prepare_valid(fixed.state().operand, typical, NarrowHoles::kKeep, options, cancellation, w);

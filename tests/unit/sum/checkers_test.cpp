@@ -22,7 +22,7 @@ Region comb() {
 Region l_shape() { return make_polygon({{0, 0}, {9, 0}, {9, 3}, {3, 3}, {3, 13}, {0, 13}}); }
 
 /// Keeps the results of all stages of one sum.
-struct Stages : Workspace::State {
+struct Stages : StageMemory {
   SumRequest options;
   Region result;
 

@@ -192,7 +192,7 @@ TEST(TightPlaces, PreparedOperandsAndReusedMemory) {
 }
 
 /// Keeps the results of all stages of one sum, for the checker.
-struct Stages : Workspace::State {
+struct Stages : StageMemory {
   Stages(const Region& p, const Region& q) {
     Geometry places;
     SumRequest request;
