@@ -57,7 +57,8 @@ struct RoundingReport {
 ///   such choice, or the result would not be valid, the region is grown (shrunk) by u/2 along each
 ///   axis and then snap-rounded. `bound` is u·√2.
 ///
-/// A geometry must be resolved. Its thin parts, polylines and points, are rounded as follows:
+/// Thin parts of a geometry, polylines and points, are rounded as follows. To a side, the geometry
+/// is resolved first.
 /// - kNearest: every point goes to the nearest one by itself. If parts would cross each other, or
 ///   meet a region that moves, everything is snap-rounded together.
 /// - kOutside: what is in the target stays. Any other point becomes the cell of the target around
@@ -75,8 +76,8 @@ struct RoundingReport {
 /// `resolve`, where hulls may overlap.
 ///
 /// Throws Error: kBadInput for a region that is not valid, with polygon, ring and vertex; kBadInput
-/// for a number of digits out of range, and for thin parts that are not resolved; kLimitExceeded,
-/// also if a coordinate or its rounded value is beyond the range of doubles; kCancelled.
+/// for a number of digits out of range; kLimitExceeded, also if a coordinate or its rounded value is
+/// beyond the range of doubles; kCancelled.
 [[nodiscard]] MINKSUM_API Region round(const Region& region, const RoundOptions& target = {},
                                        const Options& options = {});
 /// Returns the same for a geometry with thin parts.

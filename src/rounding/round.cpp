@@ -97,11 +97,15 @@ Geometry round_geometry(const Geometry& geometry, const Target& target, const Ro
   if (!geometry.has_thin_parts()) {
     return Geometry(round_region(geometry.region, target, request, report));
   }
-  if (request.side == RoundingSide::kOutside) {
-    return round_outside(geometry, target, request, report);
+  if (request.side == RoundingSide::kNearest) {
+    return round_to_nearest(geometry, target, request, report);
   }
-  if (request.side == RoundingSide::kInside) return round_inside(geometry, target, request, report);
-  return round_to_nearest(geometry, target, request, report);
+  // The ways to a side rely on parts that meet at ends alone.
+  const Geometry exact =
+      resolve(Geometry(canonical(geometry.region, request), geometry.polylines, geometry.points),
+              part_of(request.options));
+  return request.side == RoundingSide::kOutside ? round_outside(exact, target, request, report)
+                                                : round_inside(exact, target, request, report);
 }
 
 }  // namespace

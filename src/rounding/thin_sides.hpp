@@ -15,8 +15,9 @@ namespace minksum {
 [[nodiscard]] double cell_bound(const Geometry& geometry, const Target& target,
                                 const Options& options);
 
-/// Returns a resolved geometry of the target that contains the exact one. The report lacks
-/// `topology_kept`. `largest_move` may exceed `bound`, because both are upper bounds.
+/// Returns a resolved geometry of the target that contains the exact one, which is resolved, too.
+/// The report lacks `topology_kept`. `largest_move` may exceed `bound`, because both are upper
+/// bounds.
 ///
 /// Every segment of a polyline is replaced by the convex hull of the cells around its ends, and a
 /// point by its cell. Hulls that have area are united with the region, which is rounded to the
@@ -34,11 +35,11 @@ namespace minksum {
 [[nodiscard]] Geometry round_outside(const Geometry& geometry, const Target& target,
                                      const RoundRequest& request, RoundingReport& report);
 
-/// Returns a resolved geometry of the target that is contained in the exact one. The result has the
-/// region rounded to the inside, the points in the target, and the segments with both ends in the
-/// target. If another segment is along an axis, its longest part with such ends remains. If it is
-/// not, its ends in the target remain as points. The report is that of the region, but for `exact`.
-/// Throws Error(kBadInput) if it finds that the geometry is not resolved.
+/// Returns a resolved geometry of the target that the exact one contains, which is resolved, too.
+/// The result has the region rounded to the inside, the points in the target, and the segments with
+/// both ends in the target. If another segment is along an axis, its longest part with such ends
+/// remains. If it is not, its ends in the target remain as points. The report is that of the region,
+/// but for `exact`.
 [[nodiscard]] Geometry round_inside(const Geometry& geometry, const Target& target,
                                     const RoundRequest& request, RoundingReport& report);
 

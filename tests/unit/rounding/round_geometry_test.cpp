@@ -198,6 +198,24 @@ TEST(RoundGeometry, SidesOfSmallAndLargeNumbers) {
       Error);
 }
 
+TEST(RoundGeometry, PartsMayLieInEachOther) {
+  // These polylines cross each other and the region. One is a point.
+  Geometry mess = lines({{point("-1", "-2/3"), point("7", "5/2"), point("-1", "3")},
+                         {point("0", "5"), point("13/2", "-4")},
+                         {point("1/3", "9/2")}},
+                        {point("5/2", "1"), point("11/2", "1/7"), point("11/2", "1/7")});
+  mess.region = triangle({point("1/3", "0"), point("19/4", "0"), point("5/3", "21/5")});
+  const Geometry exact = resolve(mess);
+  for (const std::optional<int> decimals : {std::optional<int>{}, std::optional<int>{0}}) {
+    for (const RoundingSide side : {RoundingSide::kOutside, RoundingSide::kInside}) {
+      EXPECT_EQ(round(mess, rounding(decimals, side)), round(exact, rounding(decimals, side)));
+    }
+    const Geometry nearest = round(mess, rounding(decimals, RoundingSide::kNearest));
+    EXPECT_EQ(resolve(nearest), nearest);
+  }
+  expect_sides_of(exact);
+}
+
 TEST(RoundGeometry, RefusesRegionsThatAreNotValid) {
   Geometry crossed = lines({}, {point("1/3", "9")});
   crossed.region = make_polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
