@@ -63,8 +63,11 @@ minksum_status minksum_contacts(const minksum_geometry* no_fit, const double* xy
   return guarded(error, [&] {
     require((xy != nullptr && contacts != nullptr) || n == 0, "an argument is NULL");
     const Geometry& placements = value_of(no_fit);
-    const PointLocator area({placements.region, {}, {}}, options_of(options));
-    const PointLocator tight({{}, placements.polylines, placements.points}, options_of(options));
+    Options of_results = options_of(options);
+    of_results.fill = FillRule::kAutomatic;
+    of_results.regularize = false;
+    const PointLocator area({placements.region, {}, {}}, of_results);
+    const PointLocator tight({{}, placements.polylines, placements.points}, of_results);
     for (std::size_t i = 0; i < n; ++i) {
       const Point at{xy[2 * i], xy[2 * i + 1]};
       const Location place = area.locate(at);

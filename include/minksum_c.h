@@ -307,7 +307,7 @@ MINKSUM_API minksum_status minksum_resolve(const minksum_geometry *geometry,
                                            const minksum_options *options,
                                            minksum_geometry **result, minksum_error *error);
 /** Rounds a geometry so that the result stays valid: to doubles if `decimals` is negative, else to
- * so many digits after the point, at most 4096. `geometry` must be a result of an operation. */
+ * so many digits after the point, at most 4096. Polygons must be valid. */
 MINKSUM_API minksum_status minksum_round(const minksum_geometry *geometry, minksum_side side,
                                          int decimals, const minksum_options *options,
                                          minksum_geometry **result, minksum_error *error);
@@ -411,7 +411,7 @@ typedef enum minksum_location {
 } minksum_location;
 /** A geometry that is prepared for asking where points lie. */
 typedef struct minksum_locator minksum_locator;
-/** Prepares a geometry for point location. It must be a result of an operation. */
+/** Prepares a geometry for point location. */
 MINKSUM_API minksum_status minksum_locator_new(const minksum_geometry *geometry,
                                                const minksum_options *options,
                                                minksum_locator **result, minksum_error *error);

@@ -16,16 +16,17 @@ enum class Location {
   kInside,    ///< the point is in the interior of the area
 };
 
-/// A resolved geometry (see Geometry) that is prepared for point location. Copies share one state,
-/// and any number of threads may ask.
+/// A geometry that is prepared for point location. Copies share one state, and any number of threads
+/// may ask.
 ///
 /// It is a segment tree over the heights of vertices. Each edge is kept at the O(log n) nodes whose
 /// range of heights it spans, in the order from left to right. Source: Preparata, Shamos,
 /// "Computational Geometry", 1985, section 2.2.
 class MINKSUM_API PointLocator {
  public:
-  /// Prepares a geometry, which must be resolved. O(n log n) time and memory for n vertices. Throws
-  /// Error(kCancelled).
+  /// Prepares the set that a geometry means by `options.fill` (see `resolve`). O(n log n) time and
+  /// memory for n vertices of a valid region, and the time of `resolve` besides for other
+  /// geometries. Throws the errors of `resolve`.
   explicit PointLocator(const Geometry& geometry, const Options& options = {});
   /// Copies share the state, and so does an object with what was moved from it.
   PointLocator(const PointLocator&) = default;

@@ -142,7 +142,7 @@ nb::object locate_all(nb::handle a, nb::handle points, MINKSUM_SETTINGS) {
   const nb::capsule owner(
       places, [](void* p) noexcept { delete static_cast<std::vector<std::int8_t>*>(p); });
   call.run(false, [&] {
-    const PointLocator locator(resolve(shape->geometry, call.options()), call.options());
+    const PointLocator locator(shape->geometry, call.options());
     for (std::size_t i = 0; i < asked.size(); ++i) {
       (*places)[i] = static_cast<std::int8_t>(static_cast<int>(locator.locate(asked[i])) - 1);
     }

@@ -4,6 +4,8 @@
 
 #include "machine/cancellation.hpp"
 #include "minksum/locate.hpp"
+#include "minksum/resolve.hpp"
+#include "minksum/validity.hpp"
 #include "region/point_predicates.hpp"
 
 namespace minksum {
@@ -167,9 +169,9 @@ struct PointLocator::State {
   }
 
   [[nodiscard]] Location locate(const RoundedPoint& at) const {
-    const auto above = std::partition_point(
-        heights.begin(), heights.end(),
-        [&](std::uint32_t v) { return compare_y(places[v], at) <= 0; });
+    const auto above = std::partition_point(heights.begin(), heights.end(), [&](std::uint32_t v) {
+      return compare_y(places[v], at) <= 0;
+    });
     if (above == heights.begin()) return Location::kOutside;
     const auto height = static_cast<std::size_t>(above - heights.begin()) - 1;
     if (compare_y(places[heights[height]], at) == 0 && on_level(height, at)) {
@@ -197,7 +199,13 @@ struct PointLocator::State {
 
 PointLocator::PointLocator(const Geometry& geometry, const Options& options) {
   Cancellation cancellation(options);
-  state_ = std::make_shared<const State>(geometry, cancellation);
+  // Finding out whether thin parts are resolved would take as long as resolving them.
+  const bool may_be_resolved =
+      !geometry.has_thin_parts() &&
+      (options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict);
+  const bool is_resolved = may_be_resolved && validate(geometry.region, 1, options).empty();
+  state_ = std::make_shared<const State>(is_resolved ? geometry : resolve(geometry, options),
+                                         cancellation);
 }
 
 Location PointLocator::locate(const Point& point) const {

@@ -22,7 +22,7 @@ LooseBox loose_box(const RoundedPoint& a, const RoundedPoint& b) {
 }  // namespace
 
 FreePart::FreePart(Region polygon, const Options& options)
-    : region_(std::move(polygon)), locator_({region_, {}, {}}, options) {
+    : region_(std::move(polygon)), locator_({region_, {}, {}}, part_of(options)) {
   Cancellation cancellation(options, Stage::kSearch);
   for (const std::size_t ring : region_.rings_of(0)) {
     const auto index = static_cast<std::uint32_t>(ring_begin_.size());
@@ -150,7 +150,7 @@ bool FreePart::is_beyond(std::uint32_t ring, const Point& point, const Options& 
   for (std::uint32_t v = ring_begin_[ring]; v < ring_begin_[ring + 1]; ++v) {
     alone.outer.push_back(points_[v].exact);
   }
-  const Location location = PointLocator({Region(alone), {}, {}}, options).locate(point);
+  const Location location = PointLocator({Region(alone), {}, {}}, part_of(options)).locate(point);
   return location == (ring == 0 ? Location::kOutside : Location::kInside);
 }
 

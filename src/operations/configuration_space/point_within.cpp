@@ -140,7 +140,7 @@ Point exact_point(const Region& region, const Options& options) {
 
 Point point_within(const Region& region, const Point& from, const Point& to,
                    const Options& options) {
-  const PointLocator locator({region, {}, {}}, options);
+  const PointLocator locator({region, {}, {}}, part_of(options));
   for (const Candidate& candidate : candidates(region, from, to, options)) {
     const Point point{Rational(candidate.x), Rational(candidate.y)};
     if (locator.locate(point) == Location::kInside) return point;

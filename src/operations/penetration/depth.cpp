@@ -138,7 +138,8 @@ std::optional<Depth> penetration_depth(const Geometry& a, const Geometry& b,
   Depth depth;
   depth.overlapping =
       nearest.squared.sign() != 0 &&
-      PointLocator(around->sum, options).locate({Rational(0), Rational(0)}) == Location::kInside;
+      PointLocator(around->sum, part_of(options)).locate({Rational(0), Rational(0)}) ==
+          Location::kInside;
   depth.vector = nearest.point;
   depth.distance = std::hypot(nearest.point.x.to_double(), nearest.point.y.to_double());
   depth.squared = std::move(nearest.squared);
@@ -157,7 +158,8 @@ std::optional<Rational> time_of_impact(const Geometry& a, const Geometry& b, con
   }
   const auto around = obstacle(a, b, options);
   if (!around) return std::nullopt;
-  if (PointLocator(around->sum, options).locate({Rational(0), Rational(0)}) != Location::kOutside) {
+  if (PointLocator(around->sum, part_of(options)).locate({Rational(0), Rational(0)}) !=
+      Location::kOutside) {
     return Rational(0);
   }
   // The ray's first point in the sum lies on an edge. The ray crosses that edge, or meets its end

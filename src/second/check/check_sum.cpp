@@ -46,7 +46,7 @@ class Witness {
   Witness(const Geometry& result, const Geometry& p, const Geometry& q, const Rational& within,
           Cancellation& cancellation, SumCheck& check)
       : cancellation_(cancellation),
-        result_(result, cancellation.options()),
+        result_(result, part_of(cancellation.options())),
         sum_(p, q, cancellation),
         check_(check) {
     if (within.sign() == 0) return;

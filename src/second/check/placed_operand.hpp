@@ -18,8 +18,8 @@ class PlacedOperand {
       : cancellation_(cancellation),
         p_(p, cancellation),
         q_(q, cancellation),
-        in_p_(p, cancellation.options()),
-        in_q_(q, cancellation.options()) {}
+        in_p_(p, part_of(cancellation.options())),
+        in_q_(q, part_of(cancellation.options())) {}
   [[nodiscard]] bool in_sum(const Point& x) const;
 
  private:

@@ -1,9 +1,11 @@
-// Tests fill rules and boolean operations on shapes that one can draw.
+// Tests fill rules, boolean operations and point location on shapes that one can draw.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "minksum/boolean.hpp"
+#include "minksum/error.hpp"
+#include "minksum/locate.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/resolve.hpp"
 #include "support/messes.hpp"
@@ -255,6 +257,36 @@ TEST(Boolean, UnionOfThinAndThick) {
 
 TEST(Boolean, ResultsHaveNoOrigins) {
   EXPECT_FALSE(unite(rectangle(0, 0, 2, 2), rectangle(1, 1, 3, 3)).has_origins());
+}
+
+TEST(PointLocator, ReadsRingsByTheFillRule) {
+  // The ring goes round the square [1, 3] × [0, 4] twice, and crosses itself at (2, 5).
+  const Geometry crossed(make_polygon(
+      {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {3, 0}, {3, 4}, {1, 6}, {3, 6}, {1, 4}, {1, 0}}));
+  const auto place = [&](const Point& point, FillRule fill) {
+    Options options;
+    options.fill = fill;
+    return PointLocator(crossed, options).locate(point);
+  };
+  EXPECT_EQ(place({2, 1}, FillRule::kEvenOdd), Location::kOutside);
+  EXPECT_EQ(place({2, 1}, FillRule::kNonZero), Location::kInside);
+  EXPECT_EQ(place({2, 5}, FillRule::kNonZero), Location::kBoundary);
+  EXPECT_EQ(place({2, 1}, FillRule::kNegative), Location::kOutside);
+  EXPECT_THROW((void)place({2, 1}, FillRule::kStrict), Error);
+}
+
+TEST(PointLocator, ThinPartsMayLieInsideTheArea) {
+  Geometry geometry(make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
+  geometry.polylines = {{{-2, 2}, {2, 2}, {2, 6}}, {{-1, 1}, {-1, 3}}};
+  geometry.points = {{1, 1}, {9, 9}};
+  const PointLocator locator(geometry);
+  EXPECT_EQ(locator.locate({1, 1}), Location::kInside);
+  EXPECT_EQ(locator.locate({2, 2}), Location::kInside);
+  EXPECT_EQ(locator.locate({2, 4}), Location::kBoundary);
+  EXPECT_EQ(locator.locate({2, 5}), Location::kBoundary);
+  EXPECT_EQ(locator.locate({-1, 2}), Location::kBoundary);
+  EXPECT_EQ(locator.locate({9, 9}), Location::kBoundary);
+  EXPECT_EQ(locator.locate({-1, 4}), Location::kOutside);
 }
 
 }  // namespace
