@@ -26,11 +26,7 @@ template <class Operation>
 minksum_status of_areas(const Handle* a, const Handle* b, const minksum_options* options,
                         Handle** result, minksum_error* error, Operation operation) {
   return made(result, error, [&] {
-    Options reading = options_of(options);
-    reading.regularize = true;
-    const Region first = resolve(value_of(a), reading, 0).region;
-    const Region second = resolve(value_of(b), reading, 1).region;
-    return Geometry(operation(first, second, reading));
+    return Geometry(operation(value_of(a).region, value_of(b).region, options_of(options)));
   });
 }
 
@@ -70,10 +66,8 @@ minksum_status minksum_close(const Handle* a, const Handle* b, const minksum_opt
 minksum_status minksum_unite(const Handle* a, const Handle* b, const minksum_options* options,
                              Handle** result, minksum_error* error) {
   return made(result, error, [&] {
-    const Options reading = options_of(options);
-    const std::array<Geometry, 2> both{resolve(value_of(a), reading, 0),
-                                       resolve(value_of(b), reading, 1)};
-    return unite(both, reading);
+    const std::array<Geometry, 2> both{value_of(a), value_of(b)};
+    return unite(both, options_of(options));
   });
 }
 minksum_status minksum_intersect(const Handle* a, const Handle* b, const minksum_options* options,

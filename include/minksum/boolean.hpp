@@ -9,20 +9,22 @@
 
 namespace minksum {
 
+// Rings of operands may be of any kind: `options.fill` says what they enclose (see `resolve`). By
+// kStrict, all of these throw Error(kBadInput) for a ring that is not valid, with the index of the
+// operand, polygon, ring and vertex.
+//
 // All of these throw Error(kCancelled), and Error(kLimitExceeded) in four cases: the operands have
 // 2^30 vertices or more in all; edges cross more than Limits::max_crossings times; more than 2^28
 // ends of edges lie on other edges, after edges that overlap on one line are joined; a coordinate
 // of the result has more than 2 million bits.
 
-/// Returns the union of resolved geometries, resolved (see Geometry). They may overlap in any way.
-/// This and the functions below take O((n + c) log n) for n vertices in all and c places where
-/// edges meet.
+/// Returns the union of geometries, resolved (see Geometry). They may overlap in any way. This and
+/// the functions below take O((n + c) log n) for n vertices in all and c places where edges meet.
 [[nodiscard]] MINKSUM_API Geometry unite(std::span<const Geometry> geometries,
                                          const Options& options = {});
 
-/// Returns the union of valid regions (see `validate`). Here and below, the result is valid and
-/// canonical (see Region). It is the closure of what has area, so it has no thin parts. Whether
-/// the operands are valid is not checked.
+/// Returns the union of regions. Here and below, the result is valid and canonical (see Region). It
+/// is the closure of what has area, so it has no thin parts.
 [[nodiscard]] MINKSUM_API Region unite(const Region& a, const Region& b,
                                        const Options& options = {});
 /// Returns what lies in both regions.
@@ -35,7 +37,7 @@ namespace minksum {
 [[nodiscard]] MINKSUM_API Region symmetric_difference(const Region& a, const Region& b,
                                                       const Options& options = {});
 
-/// Tells whether a ⊆ b. Both are valid regions.
+/// Tells whether a ⊆ b, apart from parts of `a` that have no area. `b` is operand 0 in errors.
 [[nodiscard]] MINKSUM_API bool contains(const Region& b, const Region& a,
                                         const Options& options = {});
 

@@ -227,10 +227,7 @@ void bind_pairs(nb::module_& m) {
         return ask_pairs<bool>(
             call, b, a,
             [](const Geometry& x, const Geometry& y, const Options& options) {
-              Options reading = options;
-              reading.regularize = true;
-              return contains(resolve(x, reading, 0).region, resolve(y, reading, 1).region,
-                              options);
+              return contains(x.region, y.region, options);
             },
             [](bool value) { return nb::bool_(value); });
       },

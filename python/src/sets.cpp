@@ -49,13 +49,11 @@ void def_tight_binary(nb::module_& m, const char* name, const BinaryOperation& o
 
 Geometry areas(const Geometry& a, const Geometry& b, const Options& options,
                Region (*operation)(const Region&, const Region&, const Options&)) {
-  Options reading = options;
-  reading.regularize = true;
-  return operation(resolve(a, reading, 0).region, resolve(b, reading, 1).region, options);
+  return operation(a.region, b.region, options);
 }
 
 Geometry union_of(const Geometry& a, const Geometry& b, const Options& options) {
-  const Geometry both[] = {resolve(a, options, 0), resolve(b, options, 1)};
+  const Geometry both[] = {a, b};
   return unite(both, options);
 }
 
@@ -187,7 +185,7 @@ void bind_union_all(nb::module_& m) {
           for (const ShapePtr& item : operands.array.items) {
             if (!item) continue;
             result->srid = common_srid(*result, *item);
-            sets.push_back(resolve(item->geometry, call.options()));
+            sets.push_back(item->geometry);
           }
           result->geometry = unite(sets, call.options());
         });

@@ -113,17 +113,14 @@ std::optional<Point> reference(mink_state& state, const mink_request& request,
 Geometry boolean(mink_operation operation, const Operand& a, const Operand& b,
                  const Options& options) {
   if (operation == MINK_UNION) {
-    const std::array<Geometry, 2> both{resolve(a.geometry, options, 0),
-                                       resolve(b.geometry, options, 1)};
+    const std::array<Geometry, 2> both{a.geometry, b.geometry};
     return unite(both, options);
   }
-  Options areas = options;
-  areas.regularize = true;
-  const Region p = resolve(a.geometry, areas, 0).region;
-  const Region q = resolve(b.geometry, areas, 1).region;
-  if (operation == MINK_INTERSECTION) return intersect(p, q, areas);
-  if (operation == MINK_DIFFERENCE) return subtract(p, q, areas);
-  return symmetric_difference(p, q, areas);
+  const Region& p = a.geometry.region;
+  const Region& q = b.geometry.region;
+  if (operation == MINK_INTERSECTION) return intersect(p, q, options);
+  if (operation == MINK_DIFFERENCE) return subtract(p, q, options);
+  return symmetric_difference(p, q, options);
 }
 
 /// Computes an operation whose answer is a set.

@@ -1,10 +1,14 @@
 // Implements the boolean operations.
-#include "minksum/boolean.hpp"
+#include "overlay/boolean.hpp"
 
 #include <optional>
 
+#include "minksum/boolean.hpp"
+#include "minksum/resolve.hpp"
+#include "minksum/validity.hpp"
 #include "overlay/chains.hpp"
 #include "overlay/complement.hpp"
+#include "overlay/resolve_area.hpp"
 #include "region/region_access.hpp"
 
 namespace minksum {
@@ -40,43 +44,70 @@ Region combine(const Region& a, const Region& b, overlay::Inside inside, const O
   return overlay::select(chains, {inside}, options).region;
 }
 
+/// Tells whether the fill rule leaves a region as it is.
+bool is_read(const Region& region, const Options& options) {
+  return is_by_role(options.fill) && validate(region, 1, options).empty();
+}
+Region read(const Region& operand, int index, const Options& options) {
+  if (is_read(operand, options)) return operand;
+  return resolve(Geometry(operand), options, index).region;
+}
+
 }  // namespace
 
-Geometry unite(std::span<const Geometry> geometries, const Options& options) {
+Geometry overlay::unite(std::span<const Geometry> geometries, const Options& options) {
   Cancellation cancellation(options, Stage::kOverlay);
-  // Each geometry winds once around its points: outer rings are counter-clockwise, holes clockwise.
-  std::vector<overlay::Chain> chains;
-  overlay::ThinStore thin;
-  for (const Geometry& geometry : geometries) {
-    overlay::add_rings(geometry.region, {1, 0}, chains);
+  std::vector<Chain> chains;
+  ThinStore thin;
+  for (const Geometry& geometry : geometries) {  // winds once around each of its points
+    list_by_role(geometry.region, chains, [](Chain& chain) { chain.weight.first = 1; });
     thin.add(geometry, cancellation);
   }
   thin.list_chains(chains);
-  return overlay::select(chains, {[](const Winding& w) { return w.first > 0; }}, options);
+  return select(chains, {[](const Winding& w) { return w.first > 0; }}, options);
 }
-
-Region unite(const Region& a, const Region& b, const Options& options) {
-  return combine(
-      a, b, [](const Winding& w) { return in_first(w) || in_second(w); }, options);
-}
-Region intersect(const Region& a, const Region& b, const Options& options) {
+Region overlay::intersect(const Region& a, const Region& b, const Options& options) {
   return combine(
       a, b, [](const Winding& w) { return in_first(w) && in_second(w); }, options);
 }
-Region subtract(const Region& a, const Region& b, const Options& options) {
+Region overlay::subtract(const Region& a, const Region& b, const Options& options) {
   if (const auto box = as_box(a)) {
     if (auto result = complement_in(*box, b, options)) return std::move(*result);
   }
   return combine(
       a, b, [](const Winding& w) { return in_first(w) && !in_second(w); }, options);
 }
-Region symmetric_difference(const Region& a, const Region& b, const Options& options) {
-  return combine(
-      a, b, [](const Winding& w) { return in_first(w) != in_second(w); }, options);
+bool overlay::contains(const Region& b, const Region& a, const Options& options) {
+  return overlay::subtract(a, b, options).empty();
 }
 
+Geometry unite(std::span<const Geometry> geometries, const Options& options) {
+  std::vector<Geometry> sets;
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    const Geometry& set = geometries[i];
+    const bool as_it_is = !set.has_thin_parts() && is_read(set.region, options);
+    sets.push_back(as_it_is ? set : resolve(set, options, static_cast<int>(i)));
+  }
+  return overlay::unite(sets, options);
+}
+Region unite(const Region& a, const Region& b, const Options& options) {
+  return combine(
+      read(a, 0, options), read(b, 1, options),
+      [](const Winding& w) { return in_first(w) || in_second(w); }, options);
+}
+Region intersect(const Region& a, const Region& b, const Options& options) {
+  return overlay::intersect(read(a, 0, options), read(b, 1, options), options);
+}
+Region subtract(const Region& a, const Region& b, const Options& options) {
+  return overlay::subtract(read(a, 0, options), read(b, 1, options), options);
+}
+Region symmetric_difference(const Region& a, const Region& b, const Options& options) {
+  return combine(
+      read(a, 0, options), read(b, 1, options),
+      [](const Winding& w) { return in_first(w) != in_second(w); }, options);
+}
 bool contains(const Region& b, const Region& a, const Options& options) {
-  return subtract(a, b, options).empty();
+  return overlay::contains(read(b, 0, options), read(a, 1, options), options);
 }
 
 }  // namespace minksum

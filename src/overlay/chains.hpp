@@ -59,6 +59,17 @@ void for_each_ring(const Region& region, Add add) {
   }
 }
 
+/// Adds the rings of a region, directed so that outer rings run counter-clockwise and holes
+/// clockwise.
+template <class SetUp>
+void list_by_role(const Region& region, std::vector<Chain>& chains, SetUp set_up) {
+  for_each_ring(region, [&](Chain chain, bool is_hole) {
+    chain.direction = is_hole ? Chain::Direction::kClockwise : Chain::Direction::kCounterClockwise;
+    set_up(chain);
+    chains.push_back(chain);
+  });
+}
+
 /// Adds the rings of a region, all with one weight.
 inline void add_rings(const Region& region, const Winding& weight, std::vector<Chain>& chains) {
   for_each_ring(region, [&](Chain chain, bool) {

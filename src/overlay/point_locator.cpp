@@ -6,6 +6,7 @@
 #include "minksum/locate.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/validity.hpp"
+#include "overlay/resolve_area.hpp"
 #include "region/point_predicates.hpp"
 
 namespace minksum {
@@ -200,10 +201,8 @@ struct PointLocator::State {
 PointLocator::PointLocator(const Geometry& geometry, const Options& options) {
   Cancellation cancellation(options);
   // Finding out whether thin parts are resolved would take as long as resolving them.
-  const bool may_be_resolved =
-      !geometry.has_thin_parts() &&
-      (options.fill == FillRule::kAutomatic || options.fill == FillRule::kStrict);
-  const bool is_resolved = may_be_resolved && validate(geometry.region, 1, options).empty();
+  const bool is_resolved = !geometry.has_thin_parts() && is_by_role(options.fill) &&
+                           validate(geometry.region, 1, options).empty();
   state_ = std::make_shared<const State>(is_resolved ? geometry : resolve(geometry, options),
                                          cancellation);
 }

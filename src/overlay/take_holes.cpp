@@ -26,17 +26,6 @@ bool is_valid(const Region& region, const Options& options) {
   return validate(region, 1, options).empty();
 }
 
-/// Adds the rings of a region, directed so that outer rings run counter-clockwise and holes
-/// clockwise.
-template <class SetUp>
-void list_by_role(const Region& region, std::vector<Chain>& chains, SetUp set_up) {
-  for_each_ring(region, [&](Chain chain, bool is_hole) {
-    chain.direction = is_hole ? Chain::Direction::kClockwise : Chain::Direction::kCounterClockwise;
-    set_up(chain);
-    chains.push_back(chain);
-  });
-}
-
 /// Reads the rings of one polygon as chains. For each face, `first` counts the outer ring, and
 /// `second` counts the holes that enclose the face.
 class PolygonReader {

@@ -1,8 +1,8 @@
 #include "rounding/grow.hpp"
 
 #include "machine/cancellation.hpp"
-#include "minksum/boolean.hpp"
 #include "minksum/minkowski_sum.hpp"
+#include "overlay/boolean.hpp"
 #include "region/boxes.hpp"
 
 namespace minksum {
@@ -25,7 +25,8 @@ Region shrunk(const Region& region, const Rational& half, const Options& options
   if (!around) return {};
   // Any frame that the region does not touch will do.
   const Region frame = as_region(widened(*around, half + half));
-  return subtract(frame, grown(subtract(frame, region, options), half, options), options);
+  return overlay::subtract(frame, grown(overlay::subtract(frame, region, options), half, options),
+                           options);
 }
 
 }  // namespace minksum

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "minksum/boolean.hpp"
 #include "operations/configuration_space/free_part.hpp"
+#include "overlay/boolean.hpp"
 #include "overlay/resolve_area.hpp"
 #include "validation/fault.hpp"
 
@@ -150,10 +150,10 @@ class Planner {
     std::size_t parent;  ///< index of the step before, in done_
     std::size_t slice;
     std::size_t part;
-    bool known;               ///< whether the way is known
-    Point at;                 ///< where the robot turns
-    std::vector<Point> way;   ///< the way in the parent's part, to `at`
-    std::size_t number = 0;   ///< the order of offers: the first of equal costs is taken
+    bool known;              ///< whether the way is known
+    Point at;                ///< where the robot turns
+    std::vector<Point> way;  ///< the way in the parent's part, to `at`
+    std::size_t number = 0;  ///< the order of offers: the first of equal costs is taken
   };
   static bool later(const Step& a, const Step& b) {
     return a.cost != b.cost ? a.cost > b.cost : a.number > b.number;
@@ -180,8 +180,8 @@ class Planner {
     if (location == Location::kInside) return true;
     if (!joined(from, step)) return false;
     if (location == Location::kBoundary) return true;
-    step.at =
-        point_within(intersect(here.region(), there.region(), options_), from.at, to_.at, options_);
+    step.at = point_within(overlay::intersect(here.region(), there.region(), options_), from.at,
+                           to_.at, options_);
     step.way = here.way(from.at, step.at, cancellation_);
     step.cost += length_of(step.way);
     offer(std::move(step));
@@ -200,8 +200,8 @@ class Planner {
     }
     const std::size_t n = slices_.size();
     for (const std::size_t s : {(here.slice + 1) % n, (here.slice + n - 1) % n}) {
-      const double angle = std::remainder(
-          slices_[s].turn.degrees - slices_[here.slice].turn.degrees, 360) * 0.0175;
+      const double angle =
+          std::remainder(slices_[s].turn.degrees - slices_[here.slice].turn.degrees, 360) * 0.0175;
       const double cost = here.cost + std::abs(angle) * reach_;
       for (std::size_t p = 0; p < slices_[s].parts.size(); ++p) {
         cancellation_.check(8);
@@ -217,7 +217,7 @@ class Planner {
     if (!first.box().meets(second.box())) return false;
     return second.locate(slices_[a.slice].samples[a.part]) == Location::kInside ||
            first.locate(slices_[b.slice].samples[b.part]) == Location::kInside ||
-           !intersect(first.region(), second.region(), options_).empty();
+           !overlay::intersect(first.region(), second.region(), options_).empty();
   }
 
   [[nodiscard]] std::vector<Waypoint> path_to(const Step& goal) {
@@ -262,7 +262,7 @@ void require_free(const ConfigurationSpace& space, const Configuration& end, con
       transform(space.robot(), Affine::translation(end.at.x, end.at.y).after(turn.map()), options);
   const std::string where = operand == 3 ? " at the start" : " at the goal";
   if (setting.workspace &&
-      !contains(resolve_area(*setting.workspace, 2, options).region, placed, options)) {
+      !overlay::contains(resolve_area(*setting.workspace, 2, options).region, placed, options)) {
     refuse_operand("the robot leaves the workspace" + where, operand);
   }
   if (space.overlaps_obstacle(placed)) {

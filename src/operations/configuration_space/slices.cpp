@@ -7,11 +7,11 @@
 #include "machine/cancellation.hpp"
 #include "machine/in_order.hpp"
 #include "machine/part_progress.hpp"
-#include "minksum/boolean.hpp"
 #include "minksum/configuration_space.hpp"
 #include "minksum/prepared_region.hpp"
 #include "operations/configuration_space/free_part.hpp"
 #include "operations/sum/fixed_sum.hpp"
+#include "overlay/boolean.hpp"
 #include "overlay/resolve_area.hpp"
 #include "region/boxes.hpp"
 #include "validation/fault.hpp"
@@ -73,7 +73,7 @@ Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, co
     minkowski_sum(state.prepared, mirrored, shared, request, workspace, slice.obstacles.region);
   }
   if (with_free) {
-    slice.free.region = subtract(as_region(boundary), slice.obstacles.region, options);
+    slice.free.region = overlay::subtract(as_region(boundary), slice.obstacles.region, options);
     slice.free.polylines = std::move(tight.polylines);
     slice.free.points = std::move(tight.points);
   }
@@ -116,8 +116,9 @@ void ConfigurationSpace::set_up(State state) {
     // side is never seen.
     boundary_ = widened(*bounding_box(state.workspace, options), state.radius);
     const Region frame = as_region(widened(boundary_, state.radius * Rational(2)));
-    const Geometry both[] = {state.obstacles, {subtract(frame, state.workspace, options), {}, {}}};
-    state.forbidden = unite(both, options);
+    const Geometry both[] = {state.obstacles,
+                             {overlay::subtract(frame, state.workspace, options), {}, {}}};
+    state.forbidden = overlay::unite(both, options);
   } else {
     Cancellation cancellation(options, Stage::kSearch);
     const auto box = bounding_box(state.obstacles, cancellation);
@@ -151,7 +152,7 @@ bool ConfigurationSpace::overlaps_obstacle(const Region& region) const {
   const Options& options = state_->options;
   Cancellation cancellation(options, Stage::kSearch);
   const Geometry& obstacles = state_->obstacles;
-  if (!intersect(obstacles.region, region, options).empty()) return true;
+  if (!overlay::intersect(obstacles.region, region, options).empty()) return true;
   for (std::size_t p = 0; p < region.polygon_count() && obstacles.has_thin_parts(); ++p) {
     const FreePart part(Region(region.polygon(p)), options);
     const auto enters = [&](const Point& a, const Point& b) {

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "machine/cancellation.hpp"
-#include "minksum/boolean.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/transform.hpp"
+#include "overlay/boolean.hpp"
 #include "region/boxes.hpp"
 #include "validation/fault.hpp"
 
@@ -23,14 +23,14 @@ Geometry eroded(const Region& a, const Geometry& b, const Options& options) {
   const Box size = *bounding_box(b, cancellation);
   const Rational reach = size.max.x - size.min.x + size.max.y - size.min.y + Rational(1);
   const Box box = *bounding_box(a, options);
-  const Region frame = subtract(as_region(widened(box, reach + reach)), a, options);
+  const Region frame = overlay::subtract(as_region(widened(box, reach + reach)), a, options);
   const Box where = widened({{box.min.x - size.max.x, box.min.y - size.max.y},
                              {box.max.x - size.min.x, box.max.y - size.min.y}},
                             Rational(1));
   Options part = part_of(options);
   part.tight = options.tight;
   DetailedSum outside = detailed_sum(Geometry(frame), reflect(b, options), part);
-  result.region = subtract(as_region(where), outside.sum.region, options);
+  result.region = overlay::subtract(as_region(where), outside.sum.region, options);
   result.polylines = std::move(outside.tight.polylines);
   result.points = std::move(outside.tight.points);
   return result;

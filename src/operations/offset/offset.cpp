@@ -7,12 +7,12 @@
 
 #include "machine/cancellation.hpp"
 #include "machine/exceeded.hpp"
-#include "minksum/boolean.hpp"
 #include "minksum/error.hpp"
 #include "minksum/morphology.hpp"
 #include "minksum/resolve.hpp"
 #include "operations/offset/make_disc.hpp"
 #include "operations/offset/outline.hpp"
+#include "overlay/boolean.hpp"
 
 namespace minksum {
 namespace {
@@ -81,7 +81,7 @@ class Offset {
     if (shape_.join != Join::kRound) return result;
     const std::array<Geometry, 2> both{round({std::move(set.region), {}, {}}, FillRule::kAutomatic),
                                        std::move(result)};
-    return both[1].empty() ? both[0] : unite(both, options_);
+    return both[1].empty() ? both[0] : overlay::unite(both, options_);
   }
 
  private:

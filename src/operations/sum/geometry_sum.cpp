@@ -7,8 +7,8 @@
 
 #include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
-#include "minksum/boolean.hpp"
 #include "minksum/validity.hpp"
+#include "overlay/boolean.hpp"
 #include "overlay/resolve_area.hpp"
 #include "region/map_points.hpp"
 #include "region/point_arithmetic.hpp"
@@ -178,7 +178,7 @@ class ThinSums {
 void uncover(const Geometry& sum, const Options& options, Geometry& tight) {
   if (!tight.has_thin_parts()) return;
   const std::array<Geometry, 2> both{Geometry{sum.region, {}, {}}, std::exchange(tight, {})};
-  Geometry left = unite(both, options);
+  Geometry left = overlay::unite(both, options);
   // Paths were cut where the sum's thin part met them. They are joined now.
   tight = resolve({{}, std::move(left.polylines), std::move(left.points)}, part_of(options));
 }
@@ -214,13 +214,13 @@ void sum_geometries(const Geometry& p, const Geometry& q, const SumRequest& opti
   std::vector<Geometry> sums;
   ThinSums(a, b, options, partial, sums).run();
   if (options.tight_places != nullptr) {
-    const Geometry thin = unite(sums, options);
+    const Geometry thin = overlay::unite(sums, options);
     uncover(thin, options, *options.tight_places);
     sums.assign(1, thin);
   }
   if (!result.region.empty()) sums.push_back({std::move(result.region), {}, {}});
   partial.cancellation().look();
-  result = sums.size() == 1 ? std::move(sums[0]) : unite(sums, options);
+  result = sums.size() == 1 ? std::move(sums[0]) : overlay::unite(sums, options);
   forget_origins(result.region);
 }
 

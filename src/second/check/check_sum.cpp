@@ -4,10 +4,10 @@
 #include <random>
 #include <utility>
 
-#include "minksum/boolean.hpp"
 #include "minksum/check.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/testing.hpp"
+#include "overlay/boolean.hpp"
 #include "region/boxes.hpp"
 #include "region/point_arithmetic.hpp"
 #include "second/check/placed_operand.hpp"
@@ -225,8 +225,10 @@ void prove(const Geometry& result, const Geometry& p, const Geometry& q, const C
     throw;
   }
   check.sum_area = approximate_area(sum.region, options);
-  check.missing = difference_of(subtract(sum.region, result.region, options), cancellation);
-  check.surplus = difference_of(subtract(result.region, sum.region, options), cancellation);
+  check.missing =
+      difference_of(overlay::subtract(sum.region, result.region, options), cancellation);
+  check.surplus =
+      difference_of(overlay::subtract(result.region, sum.region, options), cancellation);
   if (how.within.sign() == 0) {
     check.thin_parts_differ = !same_thin_parts(sum, result);
     const bool equal = sum.region == result.region && !check.thin_parts_differ;
@@ -238,8 +240,8 @@ void prove(const Geometry& result, const Geometry& p, const Geometry& q, const C
   const Geometry wide_result = widened(result, how.within, options);
   const Geometry both_sums[] = {wide_sum, result};
   const Geometry both_results[] = {wide_result, sum};
-  const bool near =
-      unite(both_sums, options) == wide_sum && unite(both_results, options) == wide_result;
+  const bool near = overlay::unite(both_sums, options) == wide_sum &&
+                    overlay::unite(both_results, options) == wide_result;
   check.proof = near ? Proof::kHolds : Proof::kRefuted;
 }
 

@@ -9,6 +9,7 @@
 #include "minksum/measure.hpp"
 #include "minksum/resolve.hpp"
 #include "support/messes.hpp"
+#include "support/random.hpp"
 #include "support/shapes.hpp"
 
 namespace {
@@ -257,6 +258,54 @@ TEST(Boolean, UnionOfThinAndThick) {
 
 TEST(Boolean, ResultsHaveNoOrigins) {
   EXPECT_FALSE(unite(rectangle(0, 0, 2, 2), rectangle(1, 1, 3, 3)).has_origins());
+}
+
+TEST(Boolean, OperandsAreReadByTheFillRule) {
+  test::Random random(5);
+  std::size_t differ = 0;
+  for (const FillRule rule : {FillRule::kAutomatic, FillRule::kEvenOdd, FillRule::kNonZero,
+                              FillRule::kPositive, FillRule::kNegative}) {
+    Options options;
+    options.fill = rule;
+    for (int i = 0; i < 60; ++i) {
+      const Geometry given[] = {test::random_mess(random), test::random_mess(random)};
+      const Geometry read[] = {resolve(given[0], options), resolve(given[1], options)};
+      EXPECT_EQ(unite(given, options), unite(read));
+      const auto& [p, q] = given;
+      const auto& [a, b] = read;
+      EXPECT_EQ(unite(p.region, q.region, options), unite(a.region, b.region));
+      EXPECT_EQ(intersect(p.region, q.region, options), intersect(a.region, b.region));
+      EXPECT_EQ(subtract(p.region, q.region, options), subtract(a.region, b.region));
+      EXPECT_EQ(symmetric_difference(p.region, q.region, options),
+                symmetric_difference(a.region, b.region));
+      EXPECT_EQ(contains(p.region, q.region, options), contains(a.region, b.region));
+      differ += p.region != a.region;
+    }
+  }
+  EXPECT_GT(differ, 200U);
+  // Directions of valid rings mean nothing.
+  const Region backwards = make_polygon({{0, 0}, {0, 2}, {2, 2}, {2, 0}});
+  const Geometry both[] = {backwards, rectangle(1, 0, 3, 2)};
+  EXPECT_EQ(unite(both), Geometry(rectangle(0, 0, 3, 2)));
+}
+
+TEST(Boolean, StrictNamesTheOperand) {
+  const Region bow_tie = make_polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+  const Region good = rectangle(0, 0, 1, 1);
+  Options strict;
+  strict.fill = FillRule::kStrict;
+  const auto culprit_of = [](const auto& call) {
+    try {
+      call();
+    } catch (const Error& error) {
+      return error.culprit().operand;
+    }
+    return -2;
+  };
+  EXPECT_EQ(culprit_of([&] { (void)intersect(good, bow_tie, strict); }), 1);
+  EXPECT_EQ(culprit_of([&] { (void)subtract(bow_tie, good, strict); }), 0);
+  const Geometry three[] = {good, good, bow_tie};
+  EXPECT_EQ(culprit_of([&] { (void)unite(three, strict); }), 2);
 }
 
 TEST(PointLocator, ReadsRingsByTheFillRule) {
