@@ -106,7 +106,8 @@ class MINKSUM_API ConfigurationSpace {
   /// Returns the same space for the robot ⊕ `by`. It has a boundary of its own: points for which
   /// this boundary was enlarged have to be included again. Throws as minkowski_sum does.
   [[nodiscard]] ConfigurationSpace grown(const Region& by) const;
-  /// Tells whether the region's interior meets an obstacle, other than the outside of a workspace.
+  /// Tells whether the interior of a region, which is read by kAutomatic, meets an obstacle, other
+  /// than the outside of a workspace.
   [[nodiscard]] bool overlaps_obstacle(const Region& region) const;
 
   /// Returns the slice of one turn, with its free space if `with_free` is set. Complexity and

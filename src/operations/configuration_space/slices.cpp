@@ -148,8 +148,9 @@ void ConfigurationSpace::include(const Point& point) {
 const Rational& ConfigurationSpace::radius() const { return state_->radius; }
 const Region& ConfigurationSpace::robot() const { return state_->robot; }
 
-bool ConfigurationSpace::overlaps_obstacle(const Region& region) const {
+bool ConfigurationSpace::overlaps_obstacle(const Region& given) const {
   const Options& options = state_->options;
+  const Region region = resolve_area(Geometry(given), -1, part_of(options)).region;
   Cancellation cancellation(options, Stage::kSearch);
   const Geometry& obstacles = state_->obstacles;
   if (!overlay::intersect(obstacles.region, region, options).empty()) return true;

@@ -53,8 +53,8 @@ Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
 NoFitPolygon::NoFitPolygon(const Geometry& fixed, const Geometry& moving,
                            const std::optional<Point>& reference, const Options& options)
     : geometry_(no_fit_polygon(fixed, moving, reference, options)),
-      locator_({geometry_.region, {}, {}}, options),
-      tight_({{}, geometry_.polylines, geometry_.points}, options) {}
+      locator_({geometry_.region, {}, {}}, part_of(options)),
+      tight_({{}, geometry_.polylines, geometry_.points}, part_of(options)) {}
 
 Contact NoFitPolygon::contact(const Point& t) const {
   switch (locator_.locate(t)) {

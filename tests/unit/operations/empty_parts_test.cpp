@@ -1,5 +1,5 @@
-// Tests that every operation reads a polyline without vertices as nothing, and one of one vertex as
-// a point.
+// Tests how every operation reads its operands: a polyline without vertices is nothing, one of one
+// vertex is a point, and the fill rule says what rings enclose.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -16,10 +16,13 @@
 #include "minksum/morphology.hpp"
 #include "minksum/no_fit.hpp"
 #include "minksum/offset.hpp"
+#include "minksum/reach.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/round.hpp"
 #include "minksum/testing.hpp"
 #include "minksum/transform.hpp"
+#include "support/messes.hpp"
+#include "support/random.hpp"
 #include "support/shapes.hpp"
 
 namespace minksum {
@@ -149,7 +152,120 @@ TEST(EmptyParts, APolygonWithoutRingsIsNothingByEachMethod) {
 }
 
 TEST(EmptyParts, APolylineWithoutVerticesHasAPicture) {
-  EXPECT_NE(io::to_text(Geometry({}, {{}}, {}), io::Format::kSvg).find("</svg>"), std::string::npos);
+  EXPECT_NE(io::to_text(Geometry({}, {{}}, {}), io::Format::kSvg).find("</svg>"),
+            std::string::npos);
+}
+
+/// Calls an operation with two sets, to be read by the fill rule of the options.
+using Operation =
+    std::function<std::string(const Geometry& a, const Geometry& b, const Options& options)>;
+
+std::vector<Operation> operations() {
+  const auto of_sets = [](auto function) -> Operation {
+    return [function](const Geometry& a, const Geometry& b, const Options& options) {
+      return text(function(a, b, options));
+    };
+  };
+  const Point reference{1, 2};
+  return {
+      of_sets(
+          [](const auto& a, const auto& b, const Options& o) { return minkowski_sum(a, b, o); }),
+      of_sets([](const auto& a, const auto& b, const Options& o) { return dilate(a, b, o); }),
+      of_sets([](const auto& a, const auto& b, const Options& o) { return erode(a, b, o); }),
+      of_sets([](const auto& a, const auto& b, const Options& o) { return open(a, b, o); }),
+      of_sets([](const auto& a, const auto& b, const Options& o) { return close(a, b, o); }),
+      of_sets([](const auto& a, const auto&, const Options& o) {
+        OffsetOptions shape;
+        shape.tolerance = Rational(1, 10);
+        return offset(a, 1, shape, o);
+      }),
+      of_sets([=](const auto& a, const auto& b, const Options& o) {
+        return no_fit_polygon(a, b, reference, o);
+      }),
+      of_sets([=](const auto& a, const auto& b, const Options& o) {
+        return inner_fit_polygon(a, b, reference, o);
+      }),
+      of_sets([](const auto& a, const auto& b, const Options& o) {
+        const ConfigurationSpace space(a, b, {}, o);
+        return space.slice(nearest_turn(30), true).free;
+      }),
+      of_sets([=](const auto& a, const auto& b, const Options& o) {
+        const ConfigurationSpace space(a, Geometry{}, {.workspace = b}, o);
+        return space.slice(nearest_turn(0), true).obstacles;
+      }),
+      [](const auto& a, const auto& b, const Options& o) {
+        const auto found = penetration_depth(a, b, o);
+        return found ? found->squared.to_string() + (found->overlapping ? " in" : " out") : "";
+      },
+      [](const auto& a, const auto& b, const Options& o) {
+        const auto found = time_of_impact(a, b, {1, 3}, o);
+        return found ? found->to_string() : "";
+      },
+      [=](const auto& a, const auto& b, const Options& o) {
+        const NoFitPolygon polygon(a, b, reference, o);
+        std::string contacts;
+        for (int x = -3; x < 9; ++x) {
+          contacts += std::to_string(static_cast<int>(polygon.contact({x, 2})));
+        }
+        return contacts;
+      },
+      [](const auto& a, const auto& b, const Options& o) {
+        return std::to_string(check_sum(Geometry{}, a, b, {}, o).ok());
+      },
+      [](const auto& a, const auto& b, const Options& o) {
+        ReachOptions few;
+        few.angles = 2;
+        const Configuration from{{9, 9}, {}};
+        const Configuration to{{-1, 3}, {}};
+        return std::to_string(reach(a, b, from, to, few, o).reachable);
+      },
+  };
+}
+
+TEST(Reading, RegionsBesideObstaclesMayCrossThemselves) {
+  Options negative;  // is for the obstacles
+  negative.fill = FillRule::kNegative;
+  const Geometry obstacle(test::make_polygon({{2, 2}, {2, 3}, {3, 3}, {3, 2}}));
+  const ConfigurationSpace space(rectangle(0, 0, 1, 1), obstacle, {}, {});
+  // This ring goes around the obstacle twice.
+  const Region twice =
+      test::make_polygon({{0, 0}, {6, 0}, {6, 6}, {1, 6}, {1, 1}, {5, 1}, {5, 5}, {0, 5}});
+  EXPECT_TRUE(space.overlaps_obstacle(twice));
+  EXPECT_FALSE(space.overlaps_obstacle(rectangle(0, 0, 2, 2)));
+  const ConfigurationSpace same(test::make_polygon({{0, 0}, {0, 1}, {1, 1}, {1, 0}}), obstacle, {},
+                                negative);
+  EXPECT_TRUE(same.overlaps_obstacle(twice));
+}
+
+TEST(Reading, EveryOperationReadsByTheFillRule) {
+  test::Random random(20);
+  for (const FillRule rule : {FillRule::kAutomatic, FillRule::kEvenOdd, FillRule::kNonZero,
+                              FillRule::kPositive, FillRule::kNegative}) {
+    for (const bool tight : {false, true}) {
+      for (int i = 0; i < 3; ++i) {
+        const Geometry a = test::random_mess(random);
+        const Geometry b = test::random_mess(random);
+        Options plain;
+        plain.tight = tight;
+        Options reading = plain;
+        reading.fill = rule;
+        const Geometry read_a = resolve(a, reading);
+        const Geometry read_b = resolve(b, reading);
+        const std::vector<Operation> all = operations();
+        for (std::size_t k = 0; k < all.size(); ++k) {
+          const auto run = [&](const auto& p, const auto& q, const Options& options) {
+            try {
+              return all[k](p, q, options);
+            } catch (const Error& error) {
+              return std::string(error.what());
+            }
+          };
+          EXPECT_EQ(run(a, b, reading), run(read_a, read_b, plain))
+              << "operation " << k << ", " << to_string(rule) << (tight ? ", tight" : "");
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
