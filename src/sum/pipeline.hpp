@@ -15,8 +15,7 @@
 
 namespace minksum {
 
-/// The results and scratch memory of all stages, and the scratch memory of small sums.
-/// The memory of the stages.
+/// The results and scratch memory of all stages.
 struct StageMemory {
   OperandScratch operand_scratch;
   std::array<PreparedOperand, 2> prepared;
