@@ -5,7 +5,7 @@ Every function takes geometries in many forms, alone or in arrays, and returns a
 tenth. `minksum.shapely` has the same functions for Shapely's geometries.
 """
 
-from . import errors
+from . import errors, io
 from ._core import (
     CancelToken,
     Geometry,

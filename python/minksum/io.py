@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 from os import PathLike
-from typing import Any, Union
+from typing import Any, Callable, Union
 
 from . import _core
 from ._core import Geometry
 from ._types import Number
-from .errors import BadInputError
+from .errors import BadInputError, Error
 
 Path = Union[str, "PathLike[str]"]
 
@@ -17,6 +17,14 @@ Path = Union[str, "PathLike[str]"]
 def _bytes(path: Path) -> bytes:
     with open(path, "rb") as file:
         return file.read()
+
+
+def _drawing(path: Path, read: Callable[[bytes], Geometry]) -> Geometry:
+    try:
+        return read(_bytes(path))
+    except Error as error:
+        error.args = (f"{path}: {error}",)
+        raise
 
 
 def read_svg(path: Path, *, tolerance: Number | None = None, side: str = "nearest") -> Geometry:
@@ -31,7 +39,7 @@ def read_svg(path: Path, *, tolerance: Number | None = None, side: str = "neares
     side : {'nearest', 'outside', 'inside'}
         'outside' contains the drawn areas, and 'inside' lies within them.
     """
-    return _core._read_svg(_bytes(path), tolerance, side)
+    return _drawing(path, lambda text: _core._read_svg(text, tolerance, side))
 
 
 def read_dxf(
@@ -47,7 +55,9 @@ def read_dxf(
     Ends of outlines are joined if they are at most `join_ends` apart. The other parameters are
     those of `read_svg`.
     """
-    return _core._read_dxf(_bytes(path), tolerance, side, layer, join_ends)
+    return _drawing(
+        path, lambda text: _core._read_dxf(text, tolerance, side, layer, join_ends)
+    )
 
 
 def _ring(points: Any, what: str) -> list[tuple[Any, Any]]:
@@ -79,7 +89,12 @@ def read_jagua(path: Path) -> dict[str, list[dict[str, Any]]]:
     Each is a dict with its `geometry` and whatever else the file says of it, such as `demand` and
     `allowed_orientations`. Coordinates are the doubles of the file, exactly.
     """
-    document = json.loads(_bytes(path))
+    try:
+        document = json.loads(_bytes(path))
+    except ValueError as error:
+        raise BadInputError(f"{path}: {error}") from None
+    if not isinstance(document, dict):
+        raise BadInputError(f"{path}: not an object with items")
     parts: dict[str, list[dict[str, Any]]] = {"items": [], "bins": []}
     for group in ("items", "bins"):
         for i, entry in enumerate(document.get(group, [])):
@@ -87,5 +102,9 @@ def read_jagua(path: Path) -> dict[str, list[dict[str, Any]]]:
             known = {name: value for name, value in entry.items() if name != "shape"}
             if "shape" not in entry:
                 raise BadInputError(f"{what} has no shape")
-            parts[group].append({**known, "geometry": _shape(entry["shape"], what)})
+            try:
+                geometry = _shape(entry["shape"], what)
+            except (AttributeError, KeyError, TypeError):
+                raise BadInputError(f"{what} has a shape that lacks something") from None
+            parts[group].append({**known, "geometry": geometry})
     return parts

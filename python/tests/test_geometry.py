@@ -228,7 +228,7 @@ def test_drawings_and_instances(tmp_path):
 
     svg = tmp_path / "a.svg"
     svg.write_text('<svg xmlns="http://www.w3.org/2000/svg"><circle cx="0" cy="0" r="10"/></svg>')
-    with pytest.raises(mk.BadInputError, match="tolerance"):
+    with pytest.raises(mk.BadInputError, match=r"a\.svg: .*tolerance"):
         io.read_svg(svg)
     inside, outside = (io.read_svg(svg, tolerance="0.1", side=s) for s in ("inside", "outside"))
     assert mk.covers(outside, inside) and 310 < inside.area < 315 < outside.area
@@ -239,3 +239,17 @@ def test_drawings_and_instances(tmp_path):
     read = io.read_jagua(instance)
     assert read["items"][0]["demand"] == 2 and read["items"][0]["geometry"].area == 0.5
     assert read["bins"][0]["geometry"] == mk.box(0, 0, 5, 3)
+    for text, fault in [
+        ("{", "i.json: Expecting"),
+        ("[]", "i.json: not an object"),
+        ('{"items": [{}]}', "i.json: item 0 has no shape"),
+        ('{"bins": [{"shape": {"type": "rectangle", "data": {"width": 5}}}]}', "bin 0 .* lacks"),
+    ]:
+        instance.write_text(text)
+        with pytest.raises(mk.BadInputError, match=fault):
+            io.read_jagua(instance)
+    drawing = tmp_path / "b.dxf"
+    drawing.write_text("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\nx\n0\nENDSEC\n0\nEOF\n")
+    with pytest.raises(mk.BadInputError, match=r"b\.dxf: ") as caught:
+        io.read_dxf(drawing)
+    assert caught.value.line == 8
