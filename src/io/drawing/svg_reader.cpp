@@ -239,7 +239,8 @@ class SvgReader {
     cancellation_.check(256);
     const Element e = element(index);
     const bool used_symbol = user != nullptr && e.name == "symbol";
-    if (is_one_of(e.name, kUndrawn) && !used_symbol) return false;
+    const bool is_foreign = e.name.find(':') != std::string_view::npos;
+    if (is_foreign || (is_one_of(e.name, kUndrawn) && !used_symbol)) return false;
     for (const char* const condition : {"systemLanguage", "requiredExtensions"}) {
       if (e.find(condition) == nullptr) continue;
       ++ignored_[condition];
@@ -252,9 +253,8 @@ class SvgReader {
     state.style = styles_.style_of(state.style, e.name, e.attributes, ignored_);
     if (state.style.removed) return true;
     viewport_ = state.viewport;
-    if (const XmlAttribute* const transform = e.find("transform")) {
-      state.map = state.map.after(take_transform(document_.cursor_on(*transform)));
-    }
+    const auto own = take_transform(document_, e.attributes);
+    if (own) state.map = state.map.after(*own);
     if (e.name == "svg" || used_symbol) {
       if (enter_frame(e, user, state)) children(index, state, depth);
     } else if (is_one_of(e.name, kGroups)) {

@@ -40,8 +40,8 @@ bool is(std::string_view text, std::string_view word) {
 }
 
 /// Properties by which style sheets may move and size shapes.
-constexpr std::string_view kGeometry[] = {"transform", "d",  "x", "y",  "width", "height",
-                                          "cx",        "cy", "r", "rx", "ry"};
+constexpr std::string_view kGeometry[] = {
+    "transform", "transform-origin", "d", "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry"};
 
 void set(SvgStyle& style, std::string_view property, std::string_view value, Ignored& ignored) {
   if (is(value, "inherit")) return;

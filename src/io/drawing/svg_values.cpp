@@ -94,9 +94,7 @@ NearAffine transform_of(const std::string& name, const std::vector<Rational>& a,
               "expected matrix, translate, scale, rotate, skewX or skewY with its numbers", start);
 }
 
-}  // namespace
-
-NearAffine take_transform(TextCursor cursor) {
+NearAffine take_list(TextCursor cursor) {
   NearAffine result;
   cursor.skip_space();
   if (cursor.rest() == "none") return result;
@@ -108,6 +106,38 @@ NearAffine take_transform(TextCursor cursor) {
     skip_comma(cursor);
   }
   return result;
+}
+
+Point take_origin(TextCursor cursor) {
+  if (cursor.rest().find_first_not_of("0123456789+-.eEpx, \t\r\n") != std::string_view::npos) {
+    cursor.fail("transform-origin is read as two numbers of px alone");
+  }
+  Point origin;
+  cursor.skip_space();
+  for (Rational* const coordinate : {&origin.x, &origin.y}) {
+    *coordinate = take_number(cursor);
+    if (cursor.rest().starts_with("px")) cursor.advance(2);
+    skip_comma(cursor);
+  }
+  if (!cursor.at_end()) cursor.fail_expected("two numbers");
+  return origin;
+}
+
+}  // namespace
+
+std::optional<NearAffine> take_transform(const XmlDocument& document,
+                                         std::span<const XmlAttribute> attributes) {
+  const auto find = [&](std::string_view name) {
+    return std::find_if(attributes.begin(), attributes.end(),
+                        [&](const XmlAttribute& a) { return a.name == name; });
+  };
+  const auto list = find("transform");
+  if (list == attributes.end()) return {};
+  const NearAffine own = take_list(document.cursor_on(*list));
+  const auto origin = find("transform-origin");
+  if (origin == attributes.end()) return own;
+  const Point at = take_origin(document.cursor_on(*origin));
+  return moved(at.x, at.y).after(own).after(moved(-at.x, -at.y));
 }
 
 void take_arc(const Point& from, const Point& to, Rational rx, Rational ry, const Rational& degrees,

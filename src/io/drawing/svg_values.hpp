@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -28,8 +29,10 @@ void skip_comma(TextCursor& cursor);
 /// Returns how many times a millimetre an absolute unit is: mm, cm, in, pt, pc, Q. Nothing for px
 /// and for any other unit.
 [[nodiscard]] std::optional<Rational> millimetres(std::string_view unit);
-/// Reads a list of transformations.
-[[nodiscard]] NearAffine take_transform(TextCursor cursor);
+/// Reads the list of transformations in an element's `transform`, about its `transform-origin`.
+/// Returns nothing if there is none.
+[[nodiscard]] std::optional<NearAffine> take_transform(const XmlDocument& document,
+                                                       std::span<const XmlAttribute> attributes);
 
 /// Reads the commands of a path. Open parts of a filled path are closed, as SVG fills them, and
 /// otherwise they are polylines.

@@ -42,6 +42,7 @@ std::size_t length_of_declaration(std::string_view text) {
 XmlDocument::XmlDocument(std::string_view text, int max_depth, Cancellation& cancellation)
     : cursor_(text) {
   read(max_depth, cancellation);
+  find_foreign_prefixes();
 }
 
 void XmlDocument::read(int max_depth, Cancellation& cancellation) {
@@ -159,7 +160,29 @@ std::string_view XmlDocument::name(std::size_t element) const {
   TextCursor cursor = cursor_;
   cursor.move_to(elements_[element].position);
   const std::string_view name = take_name(cursor, "");
-  return name.substr(name.rfind(':') + 1);
+  const std::size_t colon = name.rfind(':');
+  if (colon == std::string_view::npos) return name;
+  const bool is_foreign =
+      std::find(foreign_.begin(), foreign_.end(), name.substr(0, colon)) != foreign_.end();
+  return is_foreign ? name : name.substr(colon + 1);
+}
+
+void XmlDocument::find_foreign_prefixes() {
+  const std::string declares = "xmlns:";
+  TextCursor cursor = cursor_;
+  cursor.move_to(elements_[0].position);
+  const std::string_view root = take_name(cursor, "");
+  const std::size_t colon = root.rfind(':');
+  const std::string own =
+      colon == std::string_view::npos ? "xmlns" : declares + std::string(root.substr(0, colon));
+  const std::vector<XmlAttribute> all = attributes(0);
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const XmlAttribute& a) { return a.name == own; });
+  const std::string_view its = found == all.end() ? std::string_view() : found->value;
+  for (const auto& [name, position, value] : all) {
+    if (name.starts_with(declares) && value != its)
+      foreign_.push_back(name.substr(declares.size()));
+  }
 }
 
 std::vector<XmlAttribute> XmlDocument::attributes(std::size_t element) const {

@@ -40,7 +40,7 @@ class XmlDocument {
 
   [[nodiscard]] const std::vector<XmlElement>& elements() const { return elements_; }
   [[nodiscard]] const TextCursor& cursor() const { return cursor_; }
-  /// Returns the name without its prefix.
+  /// Returns the name, without its prefix unless the root says that this is of another namespace.
   [[nodiscard]] std::string_view name(std::size_t element) const;
   [[nodiscard]] std::vector<XmlAttribute> attributes(std::size_t element) const;
   /// Returns a cursor on a value, which fails with its place in the text. Where references were
@@ -51,6 +51,7 @@ class XmlDocument {
 
  private:
   void read(int max_depth, Cancellation& cancellation);
+  void find_foreign_prefixes();
   void skip_markup();
   void skip_past(std::string_view end, const char* what);
   /// Passes over a tag's attributes, and returns whether the tag ends with '/>'.
@@ -58,6 +59,7 @@ class XmlDocument {
 
   TextCursor cursor_;
   std::vector<XmlElement> elements_;
+  std::vector<std::string_view> foreign_;  ///< prefixes of other namespaces than the root's
   mutable std::optional<XmlReferences> references_;
   mutable std::string replaced_;  ///< the text with a value whose references are replaced
 };

@@ -71,6 +71,11 @@ TEST(Svg, StraightShapesAreExact) {
        kSquare},
       {"<rect transform='matrix(0 1 -1 0 1 0)' width='1' height='1'/>", kSquare},
       {"<rect transform='rotate(90, .5, .5)' width='1' height='1'/>", kSquare},
+      {"<rect transform='rotate(90)' transform-origin=' .5 .5 ' width='1' height='1'/>", kSquare},
+      {"<rect transform='scale(.5)' transform-origin='-1px,1px' x='1' y='-1' width='2' "
+       "height='2'/>",
+       kSquare},
+      {"<rect transform-origin='center' width='1' height='1'/>", kSquare},
       {"<rect transform='skewX(45)' width='1' height='1'/>",
        "POLYGON ((0 0, 1 -1, 2 -1, 1 0, 0 0))"},
       {"<rect transform='skewY(-45)' width='1' height='1'/>",
@@ -96,6 +101,21 @@ TEST(Svg, StraightShapesAreExact) {
        "POLYGON ((0 -4800, 480 -4800, 480 0, 0 0, 0 -4800))"},
   };
   for (const auto& [content, wkt] : cases) EXPECT_EQ(read_exactly(svg(content)), wkt) << content;
+}
+
+TEST(Svg, OtherNamespacesAreNotDrawn) {
+  const std::string declarations = " xmlns:x='http://x' xmlns:s='http://www.w3.org/2000/svg'";
+  const std::string foreign =
+      "<x:rect width='9' height='9'/><x:g><rect width='8' height='8'/></x:g>";
+  EXPECT_EQ(read_exactly(svg(foreign, declarations)), "POLYGON EMPTY");
+  // The prefix s stands for SVG, and nothing says what y is.
+  for (const char* const rect : {"rect", "s:rect", "y:rect"}) {
+    const std::string own = std::string("<") + rect + " width='1' height='1'/>";
+    EXPECT_EQ(read_exactly(svg(foreign + own, declarations)), kSquare);
+  }
+  EXPECT_EQ(read_exactly("<s:svg" + declarations + "><s:rect width='1' height='1'/>" + foreign +
+                         "</s:svg>"),
+            kSquare);
 }
 
 // Each group draws the one before it ten times.
@@ -344,6 +364,10 @@ TEST(Svg, FaultsHaveAPlace) {
        "1:52: elements refer to each other deeper than the limit of 32"},
       {svg("<g transform='turn(3)'/>"),
        "1:55: expected matrix, translate, scale, rotate, skewX or skewY with its numbers"},
+      {svg("<rect transform='scale(2)' transform-origin='left 5%'/>"),
+       "1:86: transform-origin is read as two numbers of px alone"},
+      {svg("<rect transform='scale(2)' transform-origin='5'/>"),
+       "1:87: expected a number, found the end of the text"},
       {svg("", " width='1mm' viewBox='0 0 1'"),
        "1:62: a viewBox has four numbers, the last two of which are positive"},
   };
