@@ -4,8 +4,6 @@
 #include <optional>
 
 #include "minksum/boolean.hpp"
-#include "minksum/resolve.hpp"
-#include "minksum/validity.hpp"
 #include "overlay/chains.hpp"
 #include "overlay/complement.hpp"
 #include "overlay/resolve_area.hpp"
@@ -44,13 +42,8 @@ Region combine(const Region& a, const Region& b, overlay::Inside inside, const O
   return overlay::select(chains, {inside}, options).region;
 }
 
-/// Tells whether the fill rule leaves a region as it is.
-bool is_read(const Region& region, const Options& options) {
-  return is_by_role(options.fill) && validate(region, 1, options).empty();
-}
-Region read(const Region& operand, int index, const Options& options) {
-  if (is_read(operand, options)) return operand;
-  return resolve(Geometry(operand), options, index).region;
+Region read(const Region& region, int operand, const Options& options) {
+  return read_operand(Geometry(region), operand, options).region;
 }
 
 }  // namespace
@@ -59,7 +52,8 @@ Geometry overlay::unite(std::span<const Geometry> geometries, const Options& opt
   Cancellation cancellation(options, Stage::kOverlay);
   std::vector<Chain> chains;
   ThinStore thin;
-  for (const Geometry& geometry : geometries) {  // winds once around each of its points
+  for (const Geometry& geometry : geometries) {
+    // A geometry winds once around each point of its area.
     list_by_role(geometry.region, chains, [](Chain& chain) { chain.weight.first = 1; });
     thin.add(geometry, cancellation);
   }
@@ -84,9 +78,7 @@ bool overlay::contains(const Region& b, const Region& a, const Options& options)
 Geometry unite(std::span<const Geometry> geometries, const Options& options) {
   std::vector<Geometry> sets;
   for (std::size_t i = 0; i < geometries.size(); ++i) {
-    const Geometry& set = geometries[i];
-    const bool as_it_is = !set.has_thin_parts() && is_read(set.region, options);
-    sets.push_back(as_it_is ? set : resolve(set, options, static_cast<int>(i)));
+    sets.push_back(read_operand(geometries[i], static_cast<int>(i), options));
   }
   return overlay::unite(sets, options);
 }

@@ -4,8 +4,6 @@
 
 #include "machine/cancellation.hpp"
 #include "minksum/locate.hpp"
-#include "minksum/resolve.hpp"
-#include "minksum/validity.hpp"
 #include "overlay/resolve_area.hpp"
 #include "region/point_predicates.hpp"
 
@@ -200,11 +198,7 @@ struct PointLocator::State {
 
 PointLocator::PointLocator(const Geometry& geometry, const Options& options) {
   Cancellation cancellation(options);
-  // Finding out whether thin parts are resolved would take as long as resolving them.
-  const bool is_resolved = !geometry.has_thin_parts() && is_by_role(options.fill) &&
-                           validate(geometry.region, 1, options).empty();
-  state_ = std::make_shared<const State>(is_resolved ? geometry : resolve(geometry, options),
-                                         cancellation);
+  state_ = std::make_shared<const State>(read_operand(geometry, -1, options), cancellation);
 }
 
 Location PointLocator::locate(const Point& point) const {

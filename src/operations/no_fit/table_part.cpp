@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "minksum/transform.hpp"
-#include "minksum/validity.hpp"
 #include "overlay/resolve_area.hpp"
 #include "validation/fault.hpp"
 
@@ -33,8 +32,7 @@ bool TablePart::read_small_part() {
 
 Region TablePart::covered() const {
   // Resolving takes as long as some sums, so valid regions skip it.
-  const bool valid = !small_.empty() ||
-                     (is_by_role(options_->fill) && validate(given_->region, 1, *options_).empty());
+  const bool valid = !small_.empty() || is_plain(Geometry(given_->region), *options_);
   const int index = static_cast<int>(index_);
   const Region area = valid ? given_->region : resolve_area(*given_, index, *options_).region;
   if (area.empty() || given_->region.empty()) {

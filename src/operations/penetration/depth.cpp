@@ -9,7 +9,6 @@
 #include "machine/cancellation.hpp"
 #include "minksum/locate.hpp"
 #include "minksum/transform.hpp"
-#include "minksum/validity.hpp"
 #include "operations/penetration/contact.hpp"
 #include "overlay/resolve_area.hpp"
 #include "region/point_arithmetic.hpp"
@@ -23,10 +22,7 @@ struct Shape {
 };
 
 Shape read(const Geometry& geometry, const Options& options, int operand) {
-  if (is_by_role(options.fill) && !geometry.has_thin_parts() &&
-      validate(geometry.region, 1, options).empty()) {
-    return {geometry, true};
-  }
+  if (is_plain(geometry, options)) return {geometry, true};
   return {resolve(geometry, options, operand), false};
 }
 
