@@ -11,6 +11,7 @@
 #include "region/map_points.hpp"
 #include "rounding/round_region.hpp"
 #include "rounding/thin_sides.hpp"
+#include "validation/fault.hpp"
 
 namespace minksum {
 namespace {
@@ -101,9 +102,8 @@ Geometry round_geometry(const Geometry& geometry, const Target& target, const Ro
     return round_to_nearest(geometry, target, request, report);
   }
   // The ways to a side rely on parts that meet at ends alone.
-  const Geometry exact =
-      resolve(Geometry(canonical(geometry.region, request), geometry.polylines, geometry.points),
-              part_of(request.options));
+  require_valid(geometry.region, -1, request.options);
+  const Geometry exact = resolve(geometry, request.options);
   return request.side == RoundingSide::kOutside ? round_outside(exact, target, request, report)
                                                 : round_inside(exact, target, request, report);
 }

@@ -56,7 +56,7 @@ std::optional<double> off_nearest(const Region& region, const StoredCoordinate& 
   const int shift = c.exp2 - exponent;
   if (!brief || !std::isnormal(value) || shift < 0 || shift > 127) return {};
   // In units of 2^exponent / denominator, the difference is half of the denominator at most. So
-  // what 128 bits hold of the products tells it.
+  // the lowest 128 bits of both products tell it.
   const auto more = static_cast<Int128>((brief->numerator << shift) -
                                         static_cast<Uint128>(mantissa) * brief->denominator);
   return signed_double(brief->negative ? -more : more, brief->denominator, exponent);
