@@ -55,9 +55,7 @@ def read_dxf(
     Ends of outlines are joined if they are at most `join_ends` apart. The other parameters are
     those of `read_svg`.
     """
-    return _drawing(
-        path, lambda text: _core._read_dxf(text, tolerance, side, layer, join_ends)
-    )
+    return _drawing(path, lambda text: _core._read_dxf(text, tolerance, side, layer, join_ends))
 
 
 def _ring(points: Any, what: str) -> list[tuple[Any, Any]]:
@@ -97,14 +95,17 @@ def read_jagua(path: Path) -> dict[str, list[dict[str, Any]]]:
         raise BadInputError(f"{path}: not an object with items")
     parts: dict[str, list[dict[str, Any]]] = {"items": [], "bins": []}
     for group in ("items", "bins"):
-        for i, entry in enumerate(document.get(group, [])):
+        entries = document.get(group, [])
+        if not isinstance(entries, list):
+            raise BadInputError(f"{path}: {group} must be a list")
+        for i, entry in enumerate(entries):
             what = f"{path}: {group[:-1]} {i}"
-            known = {name: value for name, value in entry.items() if name != "shape"}
-            if "shape" not in entry:
+            if not isinstance(entry, dict) or "shape" not in entry:
                 raise BadInputError(f"{what} has no shape")
+            known = {name: value for name, value in entry.items() if name != "shape"}
             try:
                 geometry = _shape(entry["shape"], what)
-            except (AttributeError, KeyError, TypeError):
-                raise BadInputError(f"{what} has a shape that lacks something") from None
+            except (AttributeError, KeyError, TypeError) as error:
+                raise BadInputError(f"{what} has a shape that cannot be read: {error}") from None
             parts[group].append({**known, "geometry": geometry})
     return parts

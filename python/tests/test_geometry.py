@@ -242,8 +242,9 @@ def test_drawings_and_instances(tmp_path):
     for text, fault in [
         ("{", "i.json: Expecting"),
         ("[]", "i.json: not an object"),
+        ('{"items": 5}', "i.json: items must be a list"),
         ('{"items": [{}]}', "i.json: item 0 has no shape"),
-        ('{"bins": [{"shape": {"type": "rectangle", "data": {"width": 5}}}]}', "bin 0 .* lacks"),
+        ('{"bins": [{"shape": {"type": "rectangle", "data": {"width": 5}}}]}', "bin 0 .* 'height'"),
     ]:
         instance.write_text(text)
         with pytest.raises(mk.BadInputError, match=fault):
