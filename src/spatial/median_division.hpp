@@ -61,8 +61,7 @@ struct UndividedPart {
 ///
 /// A User has these functions. [begin, end) are indices of items.
 /// - `bool enter(above, begin, end, box, const BoxOf<double>& part)` is told of each part, and of
-/// the
-///   box of its items. If it returns false, the part is left out. The items [above, begin) are
+///   the box of its items. If it returns false, the part is left out. The items [above, begin) are
 ///   those of the part that was divided.
 /// - `bool cut<axis>(segment, at, LineCut&)` tells where a segment meets the line axis = at.
 ///   Returns false if the segment runs so nearly along that line that the place is not known.
@@ -70,8 +69,7 @@ struct UndividedPart {
 /// - `void meet_crowd(begin, end, box)` handles items that lie in the box and are not to be
 /// divided.
 /// - `std::optional<DividingLine> line_among_crossings(begin, end, part)` tells where to divide
-/// items
-///   that medians do not part, or nothing if they are to be left as they are.
+///   items that medians do not part, or nothing if they are to be left as they are.
 /// - `bool is_sorted_soon(begin, end, box)` tells whether to handle a crowd that way rather than to
 ///   divide it poorly.
 template <class User>

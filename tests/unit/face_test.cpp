@@ -193,20 +193,21 @@ TEST(Face, WhatIsMovedFromIsStillGood) {
   EXPECT_TRUE(options.cancel->cancelled());
   PreparedRegion first(Region{kTriangle});
   const PreparedRegion second = std::move(first);
-  EXPECT_EQ(minkowski_sum(first, second), minkowski_sum(second, second));  // NOLINT
+  EXPECT_EQ(minkowski_sum(first, second),
+            minkowski_sum(second, second));  // NOLINT(bugprone-use-after-move)
   PointLocator locator{Geometry(Region{kTriangle})};
   const PointLocator other = std::move(locator);
-  EXPECT_EQ(locator.locate({0, 0}), other.locate({0, 0}));  // NOLINT
+  EXPECT_EQ(locator.locate({0, 0}), other.locate({0, 0}));  // NOLINT(bugprone-use-after-move)
   const Region region{kTriangle};
   NoFitPolygon polygon(region, region);
   const NoFitPolygon same = std::move(polygon);
-  EXPECT_EQ(polygon.geometry(), same.geometry());  // NOLINT
+  EXPECT_EQ(polygon.geometry(), same.geometry());  // NOLINT(bugprone-use-after-move)
   EXPECT_EQ(polygon.contact({0, 0}), same.contact({0, 0}));
   Workspace workspace;
   Region result;
   EXPECT_TRUE(minkowski_sum(region, region, Options{}, workspace, result).ok());
   Workspace taken = std::move(workspace);
-  for (Workspace* const memory : {&workspace, &taken}) {  // NOLINT
+  for (Workspace* const memory : {&workspace, &taken}) {  // NOLINT(bugprone-use-after-move)
     EXPECT_TRUE(minkowski_sum(region, region, Options{}, *memory, result).ok());
     EXPECT_EQ(result, minkowski_sum(region, region));
   }

@@ -29,8 +29,8 @@ void skip_comma(TextCursor& cursor);
 /// Returns how many times a millimetre an absolute unit is: mm, cm, in, pt, pc, Q. Nothing for px
 /// and for any other unit.
 [[nodiscard]] std::optional<Rational> millimetres(std::string_view unit);
-/// Reads the list of transformations in an element's `transform`, about its `transform-origin`.
-/// Returns nothing if there is none.
+/// Reads the list of transformations in an element's `transform`, whose fixed point is its
+/// `transform-origin`. Returns nothing for an element without a `transform`.
 [[nodiscard]] std::optional<NearAffine> take_transform(const XmlDocument& document,
                                                        std::span<const XmlAttribute> attributes);
 

@@ -173,15 +173,16 @@ void XmlDocument::find_foreign_prefixes() {
   cursor.move_to(elements_[0].position);
   const std::string_view root = take_name(cursor, "");
   const std::size_t colon = root.rfind(':');
-  const std::string own =
+  const std::string declaration =
       colon == std::string_view::npos ? "xmlns" : declares + std::string(root.substr(0, colon));
   const std::vector<XmlAttribute> all = attributes(0);
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const XmlAttribute& a) { return a.name == own; });
-  const std::string_view its = found == all.end() ? std::string_view() : found->value;
+  std::string_view namespace_of_root;
+  for (const XmlAttribute& attribute : all) {
+    if (attribute.name == declaration) namespace_of_root = attribute.value;
+  }
   for (const auto& [name, position, value] : all) {
-    if (name.starts_with(declares) && value != its)
-      foreign_.push_back(name.substr(declares.size()));
+    if (!name.starts_with(declares) || value == namespace_of_root) continue;
+    foreign_.push_back(name.substr(declares.size()));
   }
 }
 

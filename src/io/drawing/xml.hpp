@@ -40,7 +40,8 @@ class XmlDocument {
 
   [[nodiscard]] const std::vector<XmlElement>& elements() const { return elements_; }
   [[nodiscard]] const TextCursor& cursor() const { return cursor_; }
-  /// Returns the name, without its prefix unless the root says that this is of another namespace.
+  /// Returns the name. Its prefix is dropped, unless the root declares that the prefix stands for
+  /// another namespace than the root's.
   [[nodiscard]] std::string_view name(std::size_t element) const;
   [[nodiscard]] std::vector<XmlAttribute> attributes(std::size_t element) const;
   /// Returns a cursor on a value, which fails with its place in the text. Where references were
@@ -59,7 +60,7 @@ class XmlDocument {
 
   TextCursor cursor_;
   std::vector<XmlElement> elements_;
-  std::vector<std::string_view> foreign_;  ///< prefixes of other namespaces than the root's
+  std::vector<std::string_view> foreign_;  ///< prefixes that stand for other namespaces
   mutable std::optional<XmlReferences> references_;
   mutable std::string replaced_;  ///< the text with a value whose references are replaced
 };
