@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "minksum/error.hpp"
 
@@ -10,15 +9,7 @@ namespace minksum {
 
 /// Returns an error that says "BEFORE more than `most` AFTER (LIMIT)". `limit` is a name of the
 /// public interface.
-[[nodiscard]] inline Error exceeded(const char* limit, std::uint64_t most, const char* before,
-                                    const char* after) {
-  std::string message = before;
-  message += " more than " + std::to_string(most) + " ";
-  message += after;
-  message += " (";
-  message += limit;
-  message += ")";
-  return {ErrorCode::kLimitExceeded, message, {}, {}, ExceededLimit{limit, most}};
-}
+[[nodiscard]] Error exceeded(const char* limit, std::uint64_t most, const char* before,
+                             const char* after);
 
 }  // namespace minksum

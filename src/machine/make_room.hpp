@@ -72,6 +72,14 @@ template <class T, class... Value>
   }
   list.resize(size, value...);
 }
+// Lists of these are in most files. So they are compiled once.
+extern template void move_to_larger(std::vector<std::uint8_t>&, std::size_t, Cancellation&);
+extern template void move_to_larger(std::vector<std::uint32_t>&, std::size_t, Cancellation&);
+extern template void resize_long(std::vector<std::uint8_t>&, std::size_t, Cancellation&,
+                                 const std::uint8_t&);
+extern template void resize_long(std::vector<std::uint32_t>&, std::size_t, Cancellation&);
+extern template void resize_long(std::vector<std::uint32_t>&, std::size_t, Cancellation&,
+                                 const std::uint32_t&);
 /// Does what `resize` does. New elements get the given value, if there is one.
 template <class T, class... Value>
 void resize_in_pieces(std::vector<T>& list, std::size_t size, Cancellation& cancellation,

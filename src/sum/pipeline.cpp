@@ -8,6 +8,9 @@
 
 namespace minksum {
 
+StageMemory::StageMemory() = default;
+StageMemory::~StageMemory() = default;
+
 Workspace::Workspace() = default;
 Workspace::~Workspace() = default;
 Workspace::Workspace(Workspace&&) noexcept = default;

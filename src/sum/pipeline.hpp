@@ -17,6 +17,9 @@ namespace minksum {
 
 /// The results and scratch memory of all stages.
 struct StageMemory {
+  StageMemory();
+  ~StageMemory();
+
   OperandScratch operand_scratch;
   std::array<PreparedOperand, 2> prepared;
   std::array<Region, 2> walks;          ///< from `walk_there_and_back`
