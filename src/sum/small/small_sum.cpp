@@ -187,6 +187,27 @@ const SmallSegments* meet_or_give_up(const SmallNumbers<Number>& numbers, const 
   return meet(numbers, width, scratch, most_of_all);
 }
 
+template <class Number>
+class VerticesOf final : public SmallVertices {
+ public:
+  VerticesOf(const WayFractions<Number>& ways, const SmallSegments& segments,
+             SmallWriter<Number>& writer)
+      : ways_(ways), segments_(segments), writer_(writer) {}
+  void append(std::span<const SmallCorner> corners, std::vector<SmallVertex>& vertices) override {
+    for (const SmallCorner& corner : corners) {
+      vertices.push_back(writer_.vertex(ways_, segments_, corner));
+    }
+  }
+  [[nodiscard]] double turn(std::uint32_t in, std::uint32_t out) const override {
+    return ways_.turn(in, out);
+  }
+
+ private:
+  const WayFractions<Number>& ways_;
+  const SmallSegments& segments_;
+  SmallWriter<Number>& writer_;
+};
+
 template <bool kSeveral, class Number>
 bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const SmallOperand& q,
           const SmallPlan& plan, const SmallSegments& segments, SmallScratch::State& scratch,
@@ -200,7 +221,8 @@ bool walk(const SmallNumbers<Number>& numbers, const SmallOperand& p, const Smal
   const WayFractions<Number> ways(numbers, segments);
   const std::uint32_t outer = kSeveral ? boundary.size : boundary.end_of[0];
   SmallWriter<Number> writer(numbers, p, q, outer, boundary.between, result);
-  RingWriter<Number> rings(ways, segments, boundary, width_of(p, q), writer, scratch.rings, result);
+  VerticesOf<Number> vertices(ways, segments, writer);
+  RingWriter rings(vertices, boundary, width_of(p, q), scratch.rings, result);
   if constexpr (kSeveral) {
     writer.finish();  // no vertices yet
     return rings.add_polygons();
