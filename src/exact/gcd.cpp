@@ -50,8 +50,8 @@ struct Steps {
   std::int64_t bb = 1;
 };
 
-/// The bits from the top one of `words` down, 62 of them; `shorter`, which is not larger, is cut at
-/// the same place.
+/// Returns 62 bits of a number. The first one is bit `top` of word `size`, both counted from 1. So
+/// two numbers are cut at the same place.
 std::int64_t leading_bits(const Words& words, std::size_t size, int top) {
   const auto at = [&](std::size_t i) -> std::uint64_t { return i < words.size() ? words[i] : 0; };
   // Three words hold 62 bits wherever they begin; `top` is the width of the highest one.

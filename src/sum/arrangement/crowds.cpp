@@ -103,7 +103,7 @@ void CrowdFinder::group_short() {
 /// there, too.
 double CrowdFinder::move_short(std::size_t begin, std::size_t end) {
   constexpr std::uint64_t kUnitsToMove = 16;
-  // So each extent is at most 2^-20 of the one around it, and groups within groups come to an end.
+  // Each extent is then at most 2^-22 of the one around it, so groups within groups come to an end.
   constexpr double kMostShort = 256;
   if (!meeter_.can_move_to(short_)) return 0;
   const auto& members = scratch_.groups.members;
