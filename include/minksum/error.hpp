@@ -87,7 +87,7 @@ class MINKSUM_API Error : public std::runtime_error {
 
 /// Tells how a call that does not throw ended. It has an error unless the call succeeded.
 struct [[nodiscard]] Outcome {
-  std::optional<Error> error;  ///< the error that another call would throw
+  std::optional<Error> error;  ///< the error that the throwing form of the call throws
   /// Tells whether the call succeeded.
   [[nodiscard]] bool ok() const { return !error.has_value(); }
 };

@@ -31,8 +31,8 @@ namespace minksum {
 [[nodiscard]] MINKSUM_API Geometry open(const Geometry& a, const Geometry& b,
                                         const Options& options = {});
 
-/// Returns the closing A • B = (A ⊕ B) ⊖ B: what no translate of −B outside A's sum can reach. It
-/// contains A, and closing it again changes nothing. Throws as `erode` does.
+/// Returns the closing A • B = (A ⊕ B) ⊖ B: the points that no translate of −B covers without
+/// meeting A. It contains A, and closing it again changes nothing. Throws as `erode` does.
 [[nodiscard]] MINKSUM_API Geometry close(const Geometry& a, const Geometry& b,
                                          const Options& options = {});
 

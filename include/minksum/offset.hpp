@@ -84,8 +84,8 @@ struct OffsetOptions {
 ///   No polygon D can promise that for a shrunk A: a neck as wide as 2r stays or disappears.
 ///
 /// - Other joins or caps: the true result is A with a strip beside each edge and a piece at each
-///   corner and end, or A without these. In the result, all their corners are within t of the true
-///   ones, as normals are irrational. Which corners have pieces, and whether miters are within
+///   corner and end, or A without these. Normals are irrational, so the corners of strips and
+///   pieces are within t of the true ones. Which corners have pieces, and whether miters are within
 ///   their limit, is decided exactly. If A is grown, no point of the result or of the true one is
 ///   farther than t from the other. If A is shrunk, that holds for what is taken away. Polylines
 ///   are taken as given, with bends and crossings, and closed ones have no caps.

@@ -42,10 +42,10 @@ struct Reach {
 
 /// Tells whether `to` can be reached from `from` in the sliced free space, and returns a path.
 ///
-/// There is a slice for each of setting.angles turns, and one for the turn of each end. A free part
-/// is a polygon of the free space of a slice. The free parts are the nodes of a graph. Two of
-/// neighbouring slices are joined if their interiors have a point in common: there the robot can
-/// turn by one step.
+/// There is a slice for each of setting.angles turns, one for the turn of `from`, and one for that
+/// of `to`. A free part is a polygon of the free space of a slice. The free parts are the nodes of
+/// a graph. Two free parts of neighbouring slices are joined if their interiors have a point in
+/// common: there the robot can turn by one step.
 ///
 /// The answer is exact for this graph. The path is the shortest that the search (Dijkstra 1959)
 /// finds, which need not be the shortest of all. The length of a turn is that of the arc at the
