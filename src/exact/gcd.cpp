@@ -11,7 +11,7 @@
 namespace minksum {
 namespace {
 
-/// The words of a number, the lowest first, none of the highest 0.
+/// The words of a number, the lowest first. The last one is not 0.
 using Words = std::vector<std::uint32_t>;
 
 constexpr unsigned kWordBits = 32;
@@ -62,7 +62,7 @@ std::int64_t leading_bits(const Words& words, std::size_t size, int top) {
   return static_cast<std::int64_t>(all >> 2);
 }
 
-/// As many steps as the leading bits of a ≥ b decide for certain.
+/// Returns as many steps as the leading bits of a ≥ b decide for certain.
 Steps steps_of(std::int64_t a, std::int64_t b) {
   // A coefficient below this, times a word, is within a signed word of double length.
   constexpr std::int64_t kLargest = std::int64_t{1} << 30;
@@ -79,7 +79,7 @@ Steps steps_of(std::int64_t a, std::int64_t b) {
   return s;
 }
 
-/// Both numbers after the steps; neither becomes negative.
+/// Replaces two numbers by what the steps make of them; neither becomes negative.
 void apply(const Steps& s, Words& a, Words& b) {
   b.resize(a.size());
   std::int64_t carry_a = 0;
@@ -106,12 +106,12 @@ std::uint64_t short_value(const Words& words) {
 
 bool is_short(const BigInteger& value) { return value.limb_count() <= 2; }
 
-/// a·x + b·y modulo 2^128. The value itself is not negative and fits.
+/// Returns a·x + b·y, which the type must hold, though products may wrap.
 Uint128 combined(std::int64_t a, Uint128 x, std::int64_t b, Uint128 y) {
   return static_cast<Uint128>(a) * x + static_cast<Uint128>(b) * y;
 }
 
-/// Neither number may be 0.
+/// Returns the greatest common divisor of two numbers, neither of which is 0.
 BigInteger short_divisor(Uint128 a, Uint128 b) {
   if (a < b) std::swap(a, b);
   while ((a >> 64) != 0 && b != 0) {

@@ -66,8 +66,8 @@ struct Scaled {
 ///
 /// Where one operand is far larger than the other, the rounded sum of two sites has lost what the
 /// smaller operand adds. So a difference of two sum vertices is computed here as one difference in
-/// each operand. A site's difference from itself is 0 exactly, and then the smaller one counts. So
-/// points are measured from the end of a segment that shares a site with them.
+/// each operand. A site's difference from itself is exactly 0, and then the smaller operand counts.
+/// So points are measured from the end of a segment that shares a site with them.
 class NearKernel {
  public:
   /// Sets the sites. Those before `split` are the first operand's. Each operand's sites are rounded

@@ -186,7 +186,7 @@ inline double to_double(Int128 value) { return static_cast<double>(value); }
 /// `low` changes it by at most 2^-54, and rounding the sum by 2^-53. Beyond, rounding `high`
 /// changes it by 2^-53, and `low`, which is lost, is less than 2^-53 of it.
 inline double to_near_double(Int128 value) {
-  // So the lower part has a sign, too: then short values are not rounded twice.
+  // The lower part has a sign, so that short values are not rounded twice.
   const auto low = static_cast<std::int64_t>(value);
   const auto high = static_cast<std::int64_t>((value - low) >> 64);
   return static_cast<double>(high) * 0x1p64 + static_cast<double>(low);

@@ -47,8 +47,8 @@ struct OperandRing {
   return {*x0, *y0, *x1, *y1};
 }
 
-/// An edge with its key, a rounded, monotone function of its direction in [0, 4). The key is off by
-/// less than kKeyError.
+/// An edge with its key: a number from 0 to 4 that grows with the angle of its direction. Rounding
+/// makes the key off by less than kKeyError.
 struct KeyedEdge {
   double key;
   SiteId edge;

@@ -48,8 +48,8 @@ struct RingSweep {
 };
 
 /// Sweeps a vertical line from left to right over the edges of all rings, and fills
-/// `scratch.sweep`. Lists in `scratch.touches` where rings of one polygon touch: at a point where
-/// several do, each but the first is listed with the one before, and with an edge through the
+/// `scratch.sweep`. Lists in `scratch.touches` where rings of one polygon touch. At such a point,
+/// each vertex but the first is listed with the one before, and each with an edge through the
 /// point.
 ///
 /// Edges that meet another one wrongly are suspect, and are left out from there on (see

@@ -37,8 +37,8 @@ class EventOrder {
 
   /// Orders the events on each segment. Threads order those that doubles tell apart, on most
   /// segments. The order of the others, and the decisions that it takes, depend on which points are
-  /// known to be equal. That grows from segment to segment, so the calling thread orders these, one
-  /// by one.
+  /// known to be equal. Each segment may show more equal points, so the calling thread orders these
+  /// segments one by one.
   void order() {
     constexpr std::uint64_t kUnitsOfEvent = 8;
     const std::size_t lines = scratch_.line_count;
@@ -65,7 +65,7 @@ class EventOrder {
  private:
   using Ordered = ArrangementScratch::Ordered;
   static constexpr std::size_t kFew = 12;
-  /// Bisection of a list of kFew events takes as many comparisons.
+  /// Bisection of a list of kFew events takes this many comparisons.
   static constexpr std::size_t kNear = 4;
   static constexpr std::size_t kMany = 4096;
 
