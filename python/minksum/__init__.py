@@ -2,7 +2,7 @@
 
 Every function takes geometries in many forms, alone or in arrays, and returns a `Geometry` or a
 `GeometryArray`. Coordinates are exact: `minksum.from_wkt("POINT (1/3 0.1)")` is one third and one
-tenth. `minksum.shapely` has the same functions for Shapely's geometries.
+tenth. `minksum.shapely` has the functions that make geometries for Shapely's.
 """
 
 from . import errors, io

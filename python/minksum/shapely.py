@@ -1,4 +1,4 @@
-"""The same functions for Shapely's geometries: Shapely in, Shapely out.
+"""Functions for Shapely's geometries: Shapely in, Shapely out.
 
 Results are rounded to doubles and stay valid. `round` chooses the side: "outside" gives a set that
 contains the exact result, and "inside" one that lies within it. A GeoSeries gives a GeoSeries with
