@@ -6,7 +6,9 @@
 namespace minksum {
 
 int first_side(std::uint64_t segments) {
-  const double side = 12 * std::sqrt(std::sqrt(static_cast<double>(segments)));
+  // The mean of the benchmark's regrets is 1.17 with 8, 1.14 to 1.16 with 12, 1.28 with 17.
+  constexpr double kSide = 12;
+  const double side = kSide * std::sqrt(std::sqrt(static_cast<double>(segments)));
   return std::min(static_cast<int>(side), kFinestSide);
 }
 
