@@ -234,7 +234,9 @@ TEST(SmallSums, AreAsByTheStages) {
   for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) {
     if (compare(seed)) ++small;
   }
-  if (count >= 1'000 && !HasFailure()) EXPECT_GT(4 * small, 3 * count);
+  if (count >= 1'000 && !HasFailure()) {
+    EXPECT_GT(4 * small, 3 * count);
+  }
 }
 
 }  // namespace
