@@ -194,8 +194,11 @@ def test_nobody_waits_for_a_geometry_that_is_prepared():
         x, y = mk.as_geometry(ring), mk.box(0, 0, 1, 1)
         mk.minkowski_sum(x, y)
         helper = threading.Thread(target=lambda: mk.prepare(x))
-        def again(stage):
-            mk.minkowski_sum(x, y, threads=1)
+        seen = set()
+        def again(stage):  # once for each stage: a sum takes long
+            if stage not in seen:
+                seen.add(stage)
+                mk.minkowski_sum(x, y, threads=1)
         helper.start()
         mk.minkowski_sum(x, y, progress=again, threads=1)
         helper.join()
