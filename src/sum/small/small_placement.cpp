@@ -29,7 +29,7 @@ SmallPlacement::Result SmallPlacement::test(const SmallSegments& s, std::uint32_
   // Of the multiples of 2^-halvings, the one nearest to the middle is clearly between them.
   halvings_ = 1 - std::ilogb(to - from);
   if (halvings_ > kMostHalvings) return Result::kUnknown;
-  if (!edges_of_p_) turn_q();
+  if (!edges_of_p_) turn_q(s.size);
   const auto steps = static_cast<std::int64_t>(std::ldexp((from + to) / 2, halvings_) + 0.5);
   numbers_.fit_int128() ? take(s, segment, steps, short_) : take(s, segment, steps, long_);
   const Result result = test_boundaries();
@@ -37,14 +37,17 @@ SmallPlacement::Result SmallPlacement::test(const SmallSegments& s, std::uint32_
   return result == Result::kOutside && may_hold ? test_others() : result;
 }
 
-void SmallPlacement::turn_q() {
+void SmallPlacement::turn_q(std::size_t segments) {
   turn(q_, 2, turned_);
   const auto entries = [&](int i, const SmallOperand& o) {
     return with_holes_[static_cast<std::size_t>(i)] ? o.entries : o.size;
   };
   edges_of_p_.emplace(p_, entries(0, p_), numbers_.reach, blocks_[0]);
   edges_of_q_.emplace(turned_, entries(1, turned_), numbers_.reach, blocks_[1]);
-  pairs_left_ = 4 * most_pairs(std::size_t{p_.entries} + q_.entries);
+  // A pair of blocks takes 8 ns, and the stages take some 200 ns for each segment. The 110 tests of
+  // a spiral and a small one take three pairs for each segment.
+  constexpr std::size_t kPairsForSegment = 8;
+  pairs_left_ = kPairsForSegment * segments + 1000;
   boxes_.clear();
   const SmallOperand& several = p_.has_several() ? p_ : turned_;
   if (!several.has_several()) return;

@@ -47,7 +47,8 @@ class SmallPlacement {
     Vec<Integer> way;   ///< of the segment
     Vec<Scaled> place;  ///< where the turned Q lies, in such steps
   };
-  void turn_q();
+  /// Turns Q, and sets how long tests of a sum of so many segments may take.
+  void turn_q(std::size_t segments);
   /// Sets where the turned Q lies.
   template <class Integer>
   void take(const SmallSegments& s, std::uint32_t segment, std::int64_t steps,
