@@ -159,8 +159,8 @@ class GridBuyer {
       const double rasters = price_of_rasters(grid_of(edges_, side));
       if (spent_ + rasters + next_words > affordable) break;
       // Each grid after the first one inherits cells from one half as fine.
-      const Rasters bought = rasterise_from(side, first ? affordable - spent_ : 0, edges_,
-                                            price_of_rasters, cancellation_, scratch_);
+      const Rasters bought = rasterise_from(side, first ? affordable - spent_ : 0, segments_,
+                                            edges_, price_of_rasters, cancellation_, scratch_);
       side = bought.side;
       spent_ += bought.spent + bought.words;
       if (spent_ > affordable) break;
@@ -267,8 +267,8 @@ bool cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
   if (side > kFinestSide) return false;
   const PriceOfRasters price_of_rasters(edges);
   if (bought.spent + price_of_rasters(grid_of(edges, side)) > kMostOfPrice * price) return false;
-  auto [finest, spent, words] = rasterise_from(side, kMostForFiner * price - bought.spent, edges,
-                                               price_of_rasters, cancellation, scratch);
+  auto [finest, spent, words] = rasterise_from(side, kMostForFiner * price - bought.spent, segments,
+                                               edges, price_of_rasters, cancellation, scratch);
   side = finest;
   spent += bought.spent;
   while (2 * side <= kFinestSide) {

@@ -41,10 +41,10 @@ struct Rasters {
 /// Rasterises both operands for a grid of `side` cells along the longer side, or for a finer one:
 /// two, four, eight ... times as fine, if it has a price of at most `most` and hardly takes longer.
 /// (An edge has the same price on each grid, so many short edges make a fine grid hardly dearer.)
-/// If a finer grid would move too many words, the coarse one is rasterised after all. Then `spent`
-/// has the price of both.
-[[nodiscard]] Rasters rasterise_from(int side, double most, const EdgesOfOperands& edges,
-                                     const PriceOfRasters& price, Cancellation& cancellation,
-                                     CoverScratch& scratch);
+/// If a finer grid would move more words than it saves of about `segments` segments, the coarse one
+/// is rasterised after all. Then `spent` has the price of both.
+[[nodiscard]] Rasters rasterise_from(int side, double most, double segments,
+                                     const EdgesOfOperands& edges, const PriceOfRasters& price,
+                                     Cancellation& cancellation, CoverScratch& scratch);
 
 }  // namespace minksum
