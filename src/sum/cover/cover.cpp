@@ -143,11 +143,8 @@ class GridBuyer {
     left_ = {.share = sample_.share, .crossings = sample_.expected_crossings(operands_)};
     const double look = kLookAtSegment * std::min(static_cast<double>(sample_.lines.size()),
                                                   lines_compared(segments_));
-    if (look + price_of_rasters(grid_of(edges_, side)) > kMostOfWhatIsLeft * price_of(left_)) {
-      return;
-    }
-    left_ = see();
     Visibility best = left_;
+    bool best_is_seen = false;
     UniformGrid best_grid = grid_of(edges_, 1);
     bool best_is_active = false;
     bool best_by_translates = true;
@@ -172,8 +169,15 @@ class GridBuyer {
       before.crossings = std::max(before.crossings, left_.crossings);
       best.crossings = std::max(best.crossings, left_.crossings);
       const double left = price_of(left_);
-      if (left < price_of(best)) {
+      // To look at all segments without a cover takes longest. Mostly it is not needed to tell that
+      // a cover helps: what this one leaves has no more crossings than all segments have.
+      if (!best_is_seen && left >= price_of(without_cover(left_))) {
+        best = see_without_cover();
+        best_is_seen = true;
+      }
+      if (!best_is_seen || left < price_of(best)) {
         best = left_;
+        best_is_seen = true;
         scratch_.best = cover_.covered;
         best_grid = cover_.grid;
         best_is_active = true;
@@ -198,6 +202,18 @@ class GridBuyer {
            sample_.expected_crossings(operands_) <= kFewCrossings * segments_;
   }
   [[nodiscard]] Visibility see() { return look(sample_, cover_, cancellation_, scratch_); }
+  [[nodiscard]] Visibility see_without_cover() {
+    cover_.active = false;
+    const Visibility all = see();
+    cover_.active = true;
+    return all;
+  }
+  /// Returns the least that all segments may have, by what is left of them.
+  [[nodiscard]] Visibility without_cover(const Visibility& left) const {
+    return {.share = sample_.share,
+            .near_in_uncovered = left.near_in_uncovered,
+            .crossings = left.crossings};
+  }
   [[nodiscard]] double price_of(const Visibility& left) const {
     const ArrangementPrice price = price_of_arrangement(operands_, segments_, cover_.grid, left);
     const double clips = cover_.clips ? kClip * left.share / sample_.share * segments_ : 0;
