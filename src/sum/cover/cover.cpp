@@ -144,7 +144,6 @@ class GridBuyer {
     const double look = kLookAtSegment * std::min(static_cast<double>(sample_.lines.size()),
                                                   lines_compared(segments_));
     Visibility best = left_;
-    bool best_is_seen = false;
     UniformGrid best_grid = grid_of(edges_, 1);
     bool best_is_active = false;
     bool best_by_translates = true;
@@ -165,19 +164,16 @@ class GridBuyer {
       mark(side, first);
       Visibility before = std::exchange(left_, see());
       buy_parallelograms();
+      const double left = price_of(left_);
+      // To look at all segments without a cover takes longest. It is not needed where the first
+      // cover leaves less than they take at least.
+      const bool surely_helps = first && left < price_of(without_cover(left_));
+      if (first && !surely_helps) best = see_without_cover();
       // Estimates get better with fewer visible segments, and no cover makes crossings.
       before.crossings = std::max(before.crossings, left_.crossings);
       best.crossings = std::max(best.crossings, left_.crossings);
-      const double left = price_of(left_);
-      // To look at all segments without a cover takes longest. Mostly it is not needed to tell that
-      // a cover helps: what this one leaves has no more crossings than all segments have.
-      if (!best_is_seen && left >= price_of(without_cover(left_))) {
-        best = see_without_cover();
-        best_is_seen = true;
-      }
-      if (!best_is_seen || left < price_of(best)) {
+      if (surely_helps || left < price_of(best)) {
         best = left_;
-        best_is_seen = true;
         scratch_.best = cover_.covered;
         best_grid = cover_.grid;
         best_is_active = true;
@@ -208,7 +204,7 @@ class GridBuyer {
     cover_.active = true;
     return all;
   }
-  /// Returns the least that all segments may have, by what is left of them.
+  /// Returns the least that is to be arranged without a cover, by what this one leaves.
   [[nodiscard]] Visibility without_cover(const Visibility& left) const {
     return {.share = sample_.share,
             .near_in_uncovered = left.near_in_uncovered,
