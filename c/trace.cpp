@@ -81,7 +81,7 @@ minksum_trace_counts minksum_trace_get_counts(const minksum_trace* trace) {
   for (const Trace::Loop& loop : made.loops) loop_vertices += loop.vertices.size();
   return {made.convolution.size(), made.nodes.size(),  made.pieces.size(), made.loops.size(),
           loop_vertices,           made.cover.columns, made.cover.rows,    made.cover.min_x,
-          made.cover.min_y,        made.cover.cell};
+          made.cover.min_y,        made.cover.cell_width, made.cover.cell_height};
 }
 minksum_status minksum_trace_get_convolution(const minksum_trace* trace, double* xy,
                                              unsigned char* flags, minksum_error* error) {

@@ -358,7 +358,8 @@ typedef struct minksum_trace_counts {
   size_t rows;          /**< cells of the cover along y */
   double min_x;         /**< x of the cover's left side */
   double min_y;         /**< y of its lower side */
-  double cell;          /**< side of a cell */
+  double cell_width;    /**< width of a cell */
+  double cell_height;   /**< height of a cell */
 } minksum_trace_counts;
 /** Returns how much a trace holds, all 0 for NULL. */
 MINKSUM_API minksum_trace_counts minksum_trace_get_counts(const minksum_trace *trace);

@@ -56,7 +56,7 @@ void add_test_options(const Command& sum, SumSettings& settings) {
          "--no-cover", [&settings] { settings.cover = false; },
          "No cover, no clipping: build the whole arrangement")
       .group(group);
-  sum.add_option("--grid", settings.grid, "Cells along the longer side of the cover's grid")
+  sum.add_option("--grid", settings.grid, "Cells along the side of the cover's grid that has more")
       .in_range(0, kMostCells)
       .group(group);
   add_choice(sum, "--arithmetic", kArithmetics, settings.arithmetic,

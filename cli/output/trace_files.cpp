@@ -249,7 +249,8 @@ void TraceWriter::write_cover() const {
                });
   files_.write(folder_ + "/3-cover.json", [&grid](std::ostream& out) {
     out << "{\"min_x\":" << shortest(grid.min_x) << ",\"min_y\":" << shortest(grid.min_y)
-        << ",\"cell\":" << shortest(grid.cell) << ",\"columns\":" << grid.columns
+        << ",\"cell_width\":" << shortest(grid.cell_width)
+        << ",\"cell_height\":" << shortest(grid.cell_height) << ",\"columns\":" << grid.columns
         << ",\"rows\":" << grid.rows << ",\"covered\":[";
     // Each row is a string in which "1" means covered; the lowest row comes first.
     for (std::uint32_t row = 0; row < grid.rows; ++row) {

@@ -238,10 +238,10 @@ void SvgPicture::cells(const Trace::Grid& grid, const PictureTransform& placemen
         ++column;
         continue;
       }
-      const double x0 = placement.x(grid.min_x + grid.cell * column);
-      const double x1 = placement.x(grid.min_x + grid.cell * end);
-      const double y0 = placement.y(grid.min_y + grid.cell * row);
-      const double y1 = placement.y(grid.min_y + grid.cell * (row + 1.0));
+      const double x0 = placement.x(grid.min_x + grid.cell_width * column);
+      const double x1 = placement.x(grid.min_x + grid.cell_width * end);
+      const double y0 = placement.y(grid.min_y + grid.cell_height * row);
+      const double y1 = placement.y(grid.min_y + grid.cell_height * (row + 1.0));
       move_to(x0, y0);
       line_to(x1, y0);
       line_to(x1, y1);

@@ -28,8 +28,8 @@ struct SumSettings : Options {
   bool filter = true;  ///< false = exact arithmetic takes every decision
   /// false = the whole arrangement is built, without a cover, and no segment is clipped
   bool cover = true;
-  /// cells along the longer side of the cover's grid, of which 4096 are the most; 0 = the library
-  /// chooses
+  /// cells along the side of the cover's grid that has more, of which 4096 are the most; 0 = the
+  /// library chooses
   int grid = 0;
   bool check = false;  ///< true = each stage's checker tests its result, which is slow
   bool small = true;   ///< false = small operands take the stages, too

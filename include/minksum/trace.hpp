@@ -38,7 +38,8 @@ struct Trace {
   struct Grid {
     double min_x = 0;           ///< x of its left side
     double min_y = 0;           ///< y of its lower side
-    double cell = 0;            ///< side of a cell
+    double cell_width = 0;      ///< width of a cell
+    double cell_height = 0;     ///< height of a cell
     std::uint32_t columns = 0;  ///< cells along x
     std::uint32_t rows = 0;     ///< cells along y
     std::vector<bool> covered;  ///< row by row, whether a cell certainly lies in the sum

@@ -56,7 +56,7 @@ function readStages(library: Library, trace: Address): Stages {
   call["minksum_trace_get_counts"]!(results, trace);
   const at = results >>> 2;
   const [segments, nodes, pieces, loops, loopVertices, columns, rows] = library.u32.slice(at, at + 7);
-  const [minX, minY, cell] = library.f64.slice(results / 8 + 4, results / 8 + 7);
+  const [minX, minY, cellWidth, cellHeight] = library.f64.slice(results / 8 + 4, results / 8 + 8);
   const doubles = (count: number, from: Address) => library.doubles(from, count);
   const bytes = (count: number, from: Address) => library.u8.slice(from, from + count);
   const readSegments = (name: string, count: number): Segments =>
@@ -98,7 +98,15 @@ function readStages(library: Library, trace: Address): Stages {
     cover:
       columns === 0
         ? null
-        : { minX: minX!, minY: minY!, cell: cell!, columns: columns!, rows: rows!, covered },
+        : {
+            minX: minX!,
+            minY: minY!,
+            cellWidth: cellWidth!,
+            cellHeight: cellHeight!,
+            columns: columns!,
+            rows: rows!,
+            covered,
+          },
     arrangement: { ...readSegments("minksum_trace_get_pieces", pieces!), nodes: nodesXy },
     loops: readLoops,
   };

@@ -296,7 +296,8 @@ export interface Trace<Result = Geometry> {
   cover: {
     minX: number;
     minY: number;
-    cell: number;
+    cellWidth: number;
+    cellHeight: number;
     columns: number;
     rows: number;
     /** row by row from the lowest: 1 = the cell certainly lies in the sum */

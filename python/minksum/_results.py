@@ -120,14 +120,14 @@ class Cover:
     ----------
     origin : (float, float)
         The lower left corner of the grid.
-    cell : float
-        The side of a cell.
+    cell : (float, float)
+        The width and the height of a cell.
     covered : array of bool of shape (rows, columns)
         Whether a cell certainly lies in the sum.
     """
 
     origin: tuple[float, float]
-    cell: float
+    cell: tuple[float, float]
     covered: NDArray[numpy.bool_]
 
 
@@ -184,6 +184,6 @@ def _segments(parts: tuple[Any, Any]) -> Segments:
 
 
 def _trace(total: Any, convolution: Any, grid: Any, nodes: Any, pieces: Any, loops: Any) -> Trace:
-    cover = None if grid is None else Cover(grid[:2], grid[2], grid[3].astype(bool))
+    cover = None if grid is None else Cover(grid[:2], grid[2:4], grid[4].astype(bool))
     return Trace(total, _segments(convolution), cover, nodes, _segments(pieces),
                  [Loop(*loop) for loop in loops])

@@ -44,7 +44,7 @@ nb::tuple segments_of(const std::vector<Trace::Segment>& segments) {
 nb::object grid_of(const Trace::Grid& grid) {
   if (grid.columns == 0) return nb::none();
   std::vector<std::uint8_t> covered(grid.covered.begin(), grid.covered.end());
-  return nb::make_tuple(grid.min_x, grid.min_y, grid.cell,
+  return nb::make_tuple(grid.min_x, grid.min_y, grid.cell_width, grid.cell_height,
                         table_of(std::move(covered), grid.columns));
 }
 

@@ -71,7 +71,7 @@ def parts_and_robots() -> None:
     segments: mk.Segments = trace.convolution
     cover: mk.Cover | None = trace.cover
     loops: list[mk.Loop] = trace.loops
-    assert len(segments.ends) >= 4 and len(loops) >= 1 and (cover is None or cover.cell > 0)
+    assert len(segments.ends) >= 4 and len(loops) >= 1 and (cover is None or min(cover.cell) > 0)
     space: mk.ConfigurationSpace = mk.ConfigurationSpace(a, mk.box(5, 5, 6, 6))
     slices: list[mk.Slice] = list(space.slices([0, 90], free=False))
     found: mk.Reach = mk.reach(a, mk.box(5, 5, 6, 6), (0, 0, 0), (1, 1, 0), angles=4)

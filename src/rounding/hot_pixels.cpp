@@ -146,8 +146,8 @@ void HotPixels::place_in_cells(Cancellation& cancellation) {
   const double longer = std::max({extent.x, extent.y, 1.0});
   // The quotient is clamped before the cast, because it may be beyond any int.
   const int fine = static_cast<int>(std::clamp(longer / kReach, 1.0, static_cast<double>(side)));
-  grid_ = UniformGrid::over(std::max(extent.x, 1.0), std::max(extent.y, 1.0), fine);
-  margin_ = kReach <= grid_.cell * UniformGrid::kMargin ? UniformGrid::kMargin : 1;
+  grid_ = UniformGrid::over({std::max(extent.x, 1.0), std::max(extent.y, 1.0)}, fine);
+  margin_ = kReach <= grid_.cell.x * UniformGrid::kMargin ? UniformGrid::kMargin : 1;
   const auto cell_of = [&](PixelId p) {
     return static_cast<std::size_t>(grid_.row(near_[p].y)) *
                static_cast<std::size_t>(grid_.columns) +

@@ -1,7 +1,8 @@
-// Defines a uniform grid of square cells, and the conservative walk of a segment through it.
+// Defines a uniform grid of cells, and the conservative walk of a segment through it.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -9,7 +10,40 @@
 
 namespace minksum {
 
-/// The cells [i·h, (i+1)·h) × [j·h, (j+1)·h) for 0 ≤ i < columns and 0 ≤ j < rows: a point on the
+/// Finds how much wider than high cells should be that suit sets of edges. On a plane whose axes
+/// have different units, edges may be a thousand times as wide as high. A square cell that fits
+/// into such shapes is tiny then.
+class CellShape {
+ public:
+  /// Adds so many edges, by the widths and the heights of all of them together.
+  void add(double edges, double run, double rise) {
+    // Sets count by their edges, not by lengths: the few long edges of a box say little of a shape
+    // that is moved along it.
+    const double root = std::sqrt(run / rise);
+    if (!(root > 0) || !(root < HUGE_VAL)) return;
+    run_ += edges * root;
+    rise_ += edges / root;
+  }
+  /// Returns how many times as wide as high cells should be, as a power of two. They are square
+  /// unless edges are far from that: the strokes of a letter are as narrow one way as the other,
+  /// whichever way is longer in all. With 5.7 instead of 11, three of 83 sums of flat shapes took
+  /// 1.2 to 1.3 times as long. Of 335 sums, 16 took over 1.2 times as long with 2, and two under
+  /// 0.8.
+  [[nodiscard]] double stretch() const {
+    constexpr double kSquare = 11;
+    const double ratio = run_ / rise_;
+    if (!(ratio > 0) || !(ratio < HUGE_VAL)) return 1;
+    if (ratio < kSquare && ratio > 1 / kSquare) return 1;
+    constexpr double kRoot = 1.4142135623730951;  // so the power of two is the nearest one
+    return std::ldexp(1.0, std::clamp(std::ilogb(ratio * kRoot), -64, 64));
+  }
+
+ private:
+  double run_ = 0;
+  double rise_ = 0;
+};
+
+/// The cells [i·w, (i+1)·w) × [j·h, (j+1)·h) for 0 ≤ i < columns and 0 ≤ j < rows: a point on the
 /// border of two belongs to the right or the upper one.
 struct UniformGrid {
   /// Most cells along a side. Up to this, rounding in cell units stays below 2^-38, far below the
@@ -21,24 +55,30 @@ struct UniformGrid {
   /// Covers the rounding of the walk itself, for coordinates below 2^13 and slopes below 2^19.
   static constexpr double kSlack = 0x1p-16;
 
-  double cell = 1;     ///< h
-  double inverse = 1;  ///< 1 / h, rounded
+  Vec<double> cell{1, 1};     ///< w and h
+  Vec<double> inverse{1, 1};  ///< 1 / w and 1 / h, rounded
   std::int32_t columns = 1;
   std::int32_t rows = 1;
 
-  static UniformGrid over(double width, double height, int cells_along_longer_side) {
+  /// Returns the grid over the box from (0, 0) to `extent`, with cells `stretch` times as wide as
+  /// high, and so many along the side that takes more of them. `stretch` is from 2^-64 to 2^64.
+  static UniformGrid over(const Vec<double>& extent, int most_along_side, double stretch = 1) {
     UniformGrid grid;
-    const double longer = std::max(width, height);
+    if (extent.y * stretch == HUGE_VAL) stretch = 1;
+    const double longer = std::max(extent.x, extent.y * stretch);
     // If the inverse of a side would overflow, everything lies in one cell.
-    grid.cell = longer > 0x1p-900 ? longer / cells_along_longer_side : 1;
-    grid.inverse = 1 / grid.cell;
-    grid.columns = static_cast<std::int32_t>(width * grid.inverse) + 1;
-    grid.rows = static_cast<std::int32_t>(height * grid.inverse) + 1;
+    if (longer > 0x1p-800) {
+      const double width = longer / most_along_side;
+      grid.cell = {width, width / stretch};
+      grid.inverse = {1 / grid.cell.x, 1 / grid.cell.y};
+    }
+    grid.columns = static_cast<std::int32_t>(extent.x * grid.inverse.x) + 1;
+    grid.rows = static_cast<std::int32_t>(extent.y * grid.inverse.y) + 1;
     return grid;
   }
   [[nodiscard]] std::int64_t size() const { return std::int64_t{columns} * rows; }
-  [[nodiscard]] std::int32_t column(double x) const { return clamp_to(x * inverse, columns); }
-  [[nodiscard]] std::int32_t row(double y) const { return clamp_to(y * inverse, rows); }
+  [[nodiscard]] std::int32_t column(double x) const { return clamp_to(x * inverse.x, columns); }
+  [[nodiscard]] std::int32_t row(double y) const { return clamp_to(y * inverse.y, rows); }
 
   /// The part of a segment near one row of cells, in cell units.
   struct RowSpan {
@@ -55,10 +95,10 @@ struct UniformGrid {
     RowWalk(const UniformGrid& grid, const Vec<double>& a, const Vec<double>& b, double margin)
         : grid_(grid),
           margin_(margin),
-          ax_((a.y <= b.y ? a : b).x * grid.inverse),
-          ay_((a.y <= b.y ? a : b).y * grid.inverse),
-          by_((a.y <= b.y ? b : a).y * grid.inverse) {
-      const double bx = (a.y <= b.y ? b : a).x * grid.inverse;
+          ax_((a.y <= b.y ? a : b).x * grid.inverse.x),
+          ay_((a.y <= b.y ? a : b).y * grid.inverse.y),
+          by_((a.y <= b.y ? b : a).y * grid.inverse.y) {
+      const double bx = (a.y <= b.y ? b : a).x * grid.inverse.x;
       min_x_ = std::min(ax_, bx);
       max_x_ = std::max(ax_, bx);
       first = clamp_to(ay_ - margin, grid.rows);

@@ -19,13 +19,13 @@ void for_each_entry(const PreparedOperand& operand, const UniformGrid& grid, Vis
     return true;
   };
   const auto& [x, y, dx, dy, next] = operand.sites;
-  const double margin = UniformGrid::kMargin * grid.cell;
+  const Vec<double> margin{UniformGrid::kMargin * grid.cell.x, UniformGrid::kMargin * grid.cell.y};
   for (SiteId e = 0; e < operand.size(); ++e) {
     const SiteId f = next[e];
-    const std::int32_t left = grid.column(std::min(x[e], x[f]) - margin);
-    const std::int32_t right = grid.column(std::max(x[e], x[f]) + margin);
-    const std::int32_t bottom = grid.row(std::min(y[e], y[f]) - margin);
-    const std::int32_t top = grid.row(std::max(y[e], y[f]) + margin);
+    const std::int32_t left = grid.column(std::min(x[e], x[f]) - margin.x);
+    const std::int32_t right = grid.column(std::max(x[e], x[f]) + margin.x);
+    const std::int32_t bottom = grid.row(std::min(y[e], y[f]) - margin.y);
+    const std::int32_t top = grid.row(std::max(y[e], y[f]) + margin.y);
     // Hardly a cell of a short edge's box is far from the edge.
     if (right - left <= 1 && top - bottom <= 1) {
       for (std::int32_t j = bottom; j <= top; ++j) {

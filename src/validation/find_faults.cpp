@@ -97,7 +97,7 @@ class ContactFinder {
     const double edges = o_.size();
     const double cells = edges < 100 ? edges / 4 : edges;
     const int side = std::clamp(static_cast<int>(std::sqrt(cells)), 1, 2048);
-    bin_edges(o_, UniformGrid::over(extent.x, extent.y, side), cancellation_, scratch_);
+    bin_edges(o_, UniformGrid::over(extent, side), cancellation_, scratch_);
     const auto& begin = scratch_.cell_begin;
     in_pieces(begin.size() - 1, cancellation_, [&](std::size_t first, std::size_t last) {
       for (std::size_t cell = first; cell < last && !list_.full(); ++cell) {

@@ -106,7 +106,7 @@ class Binner {
   [[nodiscard]] bool is_tall(const KeptSegment& s) const {
     constexpr double kTall = 8;  // of fewer, too few are left out
     const auto [a, b] = s.clipped();
-    return std::abs(b.y - a.y) * grid_.inverse > kTall;
+    return std::abs(b.y - a.y) * grid_.inverse.y > kTall;
   }
 
   void clip(std::span<const Segment> segments) {
@@ -165,7 +165,7 @@ class Binner {
                   Cancellation& cancellation, std::vector<CellItem>& items) const {
     const std::size_t before = items.size();
     std::uint64_t rows = 0;
-    const CellLine line(s, grid_.inverse);
+    const CellLine line(s, grid_);
     const auto visit = [&](const UniformGrid::RowSpan& span) {
       std::uint64_t any_covered = 0;
       cover_.covered.visit_words(

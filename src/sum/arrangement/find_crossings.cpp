@@ -105,11 +105,12 @@ class CrossingFinder {
   /// Returns a cell's part of the plane. Neighbouring cells have a bound in common, equal to the
   /// last bit, so that all parts tile the plane.
   [[nodiscard]] PlanePart part_of_cell(std::int32_t column, std::int32_t row) const {
-    const auto bound = [&](std::int32_t i, std::int32_t count) {
-      return i == 0 ? -HUGE_VAL : i >= count ? HUGE_VAL : i * grid_.cell;
+    const auto bound = [](std::int32_t i, std::int32_t count, double side) {
+      return i == 0 ? -HUGE_VAL : i >= count ? HUGE_VAL : i * side;
     };
-    return BoxOf<double>{bound(column, grid_.columns), bound(row, grid_.rows),
-                         bound(column + 1, grid_.columns), bound(row + 1, grid_.rows)};
+    const auto& [cell, inverse, columns, rows] = grid_;
+    return BoxOf<double>{bound(column, columns, cell.x), bound(row, rows, cell.y),
+                         bound(column + 1, columns, cell.x), bound(row + 1, rows, cell.y)};
   }
 
   /// Lists the pairs whose boxes overlap. Returns false if these are many.

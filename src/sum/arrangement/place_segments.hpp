@@ -29,10 +29,10 @@ inline KeptSegment place_segment(const Operands& o, const Segment& segment, cons
 struct CellLine {
   Vec<double> start;
   double rise;  ///< height / width, or 0 where that would magnify rounding much
-  explicit CellLine(const KeptSegment& s, double inverse)
-      : start{s.a.x * inverse, s.a.y * inverse}, rise(0) {
-    const double width = (s.b.x - s.a.x) * inverse;
-    const double height = (s.b.y - s.a.y) * inverse;
+  CellLine(const KeptSegment& s, const UniformGrid& grid)
+      : start{s.a.x * grid.inverse.x, s.a.y * grid.inverse.y}, rise(0) {
+    const double width = (s.b.x - s.a.x) * grid.inverse.x;
+    const double height = (s.b.y - s.a.y) * grid.inverse.y;
     const bool flat = std::abs(height) <= 4 * std::abs(width);
     if (flat && std::abs(width) > UniformGrid::kMargin) rise = height / width;
   }

@@ -348,7 +348,8 @@ class Splitter {
   /// Whether a node is certainly in a covered cell (up to a rounding far below the cover's margin).
   [[nodiscard]] bool is_covered(const Node& node) const {
     const UniformGrid& grid = cover_.grid;
-    return cover_.active && node.error * grid.inverse < UniformGrid::kMargin &&
+    const double cells = node.error * std::max(grid.inverse.x, grid.inverse.y);
+    return cover_.active && cells < UniformGrid::kMargin &&
            cover_.is_covered(grid.column(node.at.x), grid.row(node.at.y));
   }
 

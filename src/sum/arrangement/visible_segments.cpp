@@ -65,15 +65,16 @@ class CoveredBlocks {
                            cell(a.y1 + b.y1));
 }
 
-void measure_sites(const Operands& o, double inverse, std::vector<CellSite>& sites) {
+void measure_sites(const Operands& o, const UniformGrid& grid, std::vector<CellSite>& sites) {
   const auto& [x, y, dx, dy, next] = o.sites;
-  const auto cells = [&](double value) { return static_cast<float>(value * inverse); };
+  const auto columns = [&](double value) { return static_cast<float>(value * grid.inverse.x); };
+  const auto rows = [&](double value) { return static_cast<float>(value * grid.inverse.y); };
   sites.resize(o.size());
   for (SiteId v = 0; v < o.size(); ++v) {
-    const float ax = cells(x[v]);
-    const float ay = cells(y[v]);
-    const float bx = cells(x[next[v]]);
-    const float by = cells(y[next[v]]);
+    const float ax = columns(x[v]);
+    const float ay = rows(y[v]);
+    const float bx = columns(x[next[v]]);
+    const float by = rows(y[next[v]]);
     sites[v] = {ax, ay, {std::min(ax, bx), std::min(ay, by), std::max(ax, bx), std::max(ay, by)}};
   }
 }
@@ -340,7 +341,7 @@ std::span<const Segment> visible_segments(const Operands& operands, const Convol
                                           Cancellation& cancellation, VisibleScratch& scratch) {
   constexpr std::uint64_t kUnitsOfSite = 32;  // a site's runs meet some others, in 300 ns
   cancellation.check(operands.size());
-  measure_sites(operands, cover.grid.inverse, scratch.sites);
+  measure_sites(operands, cover.grid, scratch.sites);
   scratch.uncovered.unite(cover, cancellation);
   if (convolution.listed()) {
     return list_visible(operands, convolution.segments, cover, cancellation, scratch);

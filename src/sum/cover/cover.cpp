@@ -100,7 +100,7 @@ class GridBuyer {
   GridBuyer(const Operands& operands, const Convolution& convolution, Cancellation& cancellation,
             CoverScratch& scratch, Cover& cover)
       : operands_(operands),
-        edges_(edges_of(operands)),
+        grids_(edges_of(operands)),
         segments_(static_cast<double>(convolution.size)),
         sample_(take_sample(operands, convolution, scratch)),
         cancellation_(cancellation),
@@ -127,24 +127,23 @@ class GridBuyer {
   }
   /// Buys one grid, whatever it costs.
   void buy(int side) {
-    static_cast<void>(rasterise(edges_, grid_of(edges_, side), cancellation_, scratch_));
+    static_cast<void>(rasterise(grids_.edges(), grids_.of(side), cancellation_, scratch_));
     mark(side, true);
     left_ = see();
     buy_parallelograms();
     cover_.by_cells = pays_by_cells(operands_, segments_, cover_.grid, left_);
   }
-  /// Buys grids from one of `side` cells along the longer side on, as long as that pays. Keeps the
+  /// Buys grids from one of `side` cells along a side on, as long as that pays. Keeps the
   /// one that leaves least, or none.
   void buy_from(int side) {
     if (is_sparse()) return;
-    side = std::max(side, coarsest_useful_side(edges_));
+    side = std::max(side, grids_.coarsest_useful_side());
     if (side > kFinestSide) return;
-    const PriceOfRasters price_of_rasters(edges_);
     left_ = {.share = sample_.share, .crossings = sample_.expected_crossings(operands_)};
     const double look = kLookAtSegment * std::min(static_cast<double>(sample_.lines.size()),
                                                   lines_compared(segments_));
     Visibility best = left_;
-    UniformGrid best_grid = grid_of(edges_, 1);
+    UniformGrid best_grid = grids_.of(1);
     bool best_is_active = false;
     bool best_by_translates = true;
     bool helped = true;
@@ -152,11 +151,11 @@ class GridBuyer {
     for (bool first = true; side <= kFinestSide; side *= 2, first = false) {
       const double affordable = (helped ? kMostOfWhatIsLeft : kMostInVain) * price_of(best);
       spent_ += look;
-      const double rasters = price_of_rasters(grid_of(edges_, side));
+      const double rasters = grids_.price_of_rasters(grids_.of(side));
       if (spent_ + rasters + next_words > affordable) break;
       // Each grid after the first one inherits cells from one half as fine.
       const Rasters bought = rasterise_from(side, first ? affordable - spent_ : 0, segments_,
-                                            edges_, price_of_rasters, cancellation_, scratch_);
+                                            grids_, cancellation_, scratch_);
       side = bought.side;
       spent_ += bought.spent + bought.words;
       if (spent_ > affordable) break;
@@ -217,7 +216,7 @@ class GridBuyer {
   }
   void mark(int side, bool first) {
     cover_.active = true;
-    cover_.grid = grid_of(edges_, side);
+    cover_.grid = grids_.of(side);
     std::swap(cover_.covered, scratch_.known);
     cover_.covered.reset(cover_.grid.columns, cover_.grid.rows, words_per_row(cover_.grid.columns));
     if (!first) inherit(scratch_.known, cover_.covered);
@@ -239,7 +238,7 @@ class GridBuyer {
   }
 
   const Operands& operands_;
-  EdgesOfOperands edges_;
+  GridsOfSum grids_;
   double segments_;
   Sample sample_;
   Cancellation& cancellation_;
@@ -273,19 +272,19 @@ bool cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
   // 1.2. With 0.3 and 0.2, they took 1.015 of it.
   constexpr double kMostOfPrice = 0.15;
   constexpr double kMostForFiner = 0.1;
+  const GridsOfSum grids(edges);
   int side = bought.side != 0 ? 2 * bought.side
                               : std::max(first_side(static_cast<std::uint64_t>(segments)),
-                                         coarsest_useful_side(edges));
+                                         grids.coarsest_useful_side());
   if (side > kFinestSide) return false;
-  const PriceOfRasters price_of_rasters(edges);
-  if (bought.spent + price_of_rasters(grid_of(edges, side)) > kMostOfPrice * price) return false;
+  if (bought.spent + grids.price_of_rasters(grids.of(side)) > kMostOfPrice * price) return false;
   auto [finest, spent, words] = rasterise_from(side, kMostForFiner * price - bought.spent, segments,
-                                               edges, price_of_rasters, cancellation, scratch);
+                                               grids, cancellation, scratch);
   side = finest;
   spent += bought.spent;
   while (2 * side <= kFinestSide) {
-    const UniformGrid finer = grid_of(edges, 2 * side);
-    const double more = price_of_rasters(finer);
+    const UniformGrid finer = grids.of(2 * side);
+    const double more = grids.price_of_rasters(finer);
     if (spent + more + kGrowthOfWords * words > kMostForFiner * price) break;
     std::swap(scratch.raster, scratch.coarser_raster);
     const auto finer_words = static_cast<double>(rasterise(edges, finer, cancellation, scratch));
@@ -301,7 +300,7 @@ bool cover_cheaply(const EdgesOfOperands& edges, double segments, double price,
   bought = {side, spent};
   if (spent + words > 2 * kMostOfPrice * price) return false;
   bought.spent += words;
-  const UniformGrid grid = grid_of(edges, side);
+  const UniformGrid grid = grids.of(side);
   cover.active = words != 0;
   cover.grid = grid;
   cover.covered.reset(grid.columns, grid.rows, words_per_row(grid.columns));
@@ -320,7 +319,7 @@ void cover_interior(const Operands& operands, const SumSettings& options,
   cover.by_translates = true;
   cover.active = false;
   cover.clips = false;
-  cover.grid = grid_of(edges_of(operands), 1);
+  cover.grid = UniformGrid::over(operands.sum_extent(), 1);
   if (wanted) {
     GridBuyer buyer(operands, convolution, cancellation, scratch, cover);
     buyer.choose_clipping();
@@ -338,7 +337,7 @@ void cover_interior(const Operands& operands, const SumSettings& options,
   if (options.grid != 0) return;
   // A fine grid without covered cells is of no use.
   cover.active = false;
-  cover.grid = grid_of(edges_of(operands), 1);
+  cover.grid = UniformGrid::over(operands.sum_extent(), 1);
 }
 
 }  // namespace minksum

@@ -161,7 +161,7 @@ void cover_interior(const Operands& operands, const SumSettings& options,
 
 /// The grids that `cover_cheaply` has bought for a sum.
 struct BoughtGrids {
-  int side = 0;      ///< cells along the longer side of the finest one
+  int side = 0;      ///< cells along the side of the finest one that has more
   double spent = 0;  ///< for all of them, in words moved
 };
 /// Marks the cells that translates cover. There are about `segments` segments, which need not be

@@ -45,12 +45,15 @@ bool make_strip(const Vec<double>& from, const Vec<double>& d, double area, Stri
 constexpr double kShortest = 2;  ///< in cells
 
 /// Lists the longest edge in each of `count` stretches of an operand's sites, without short ones.
-void choose(const Operands& o, int operand, std::size_t count, double inverse,
+void choose(const Operands& o, int operand, std::size_t count, const Vec<double>& inverse,
             std::vector<CellEdge>& edges) {
   const SiteId begin = operand == 0 ? 0 : o.split;
   const SiteId size = operand == 0 ? o.split : o.size() - o.split;
   const auto& sites = o.sites;
-  const auto length = [&](SiteId e) { return std::abs(sites.dx[e]) + std::abs(sites.dy[e]); };
+  // In cells.
+  const auto length = [&](SiteId e) {
+    return std::abs(sites.dx[e]) * inverse.x + std::abs(sites.dy[e]) * inverse.y;
+  };
   edges.clear();
   count = std::min<std::size_t>(count, size);
   for (std::size_t i = 0; i < count; ++i) {
@@ -60,9 +63,9 @@ void choose(const Operands& o, int operand, std::size_t count, double inverse,
     for (SiteId e = first + 1; e < last; ++e) {
       if (length(e) > length(longest)) longest = e;
     }
-    if (length(longest) * inverse < kShortest) continue;
-    edges.push_back({{sites.x[longest] * inverse, sites.y[longest] * inverse},
-                     {sites.dx[longest] * inverse, sites.dy[longest] * inverse}});
+    if (length(longest) < kShortest) continue;
+    edges.push_back({{sites.x[longest] * inverse.x, sites.y[longest] * inverse.y},
+                     {sites.dx[longest] * inverse.x, sites.dy[longest] * inverse.y}});
   }
 }
 

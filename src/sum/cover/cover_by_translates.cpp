@@ -13,7 +13,8 @@ namespace {
 std::uint64_t work_of_walk(const EdgesOfOperand& o, SiteId e, const UniformGrid& grid) {
   const Vec<double> a = o.at(e);
   const Vec<double> b = o.at(o.next[e]);
-  return static_cast<std::uint64_t>((std::abs(b.x - a.x) + std::abs(b.y - a.y)) * grid.inverse);
+  return static_cast<std::uint64_t>(std::abs(b.x - a.x) * grid.inverse.x +
+                                    std::abs(b.y - a.y) * grid.inverse.y);
 }
 
 /// Fills rows by the even-odd rule: each bit becomes the parity of the toggles up to it.
@@ -47,8 +48,8 @@ class Rasteriser {
         words_(words) {
     grid_.cell = grid.cell;
     grid_.inverse = grid.inverse;
-    grid_.columns = static_cast<std::int32_t>(o.extent.x * grid_.inverse) + 2;
-    grid_.rows = static_cast<std::int32_t>(o.extent.y * grid_.inverse) + 2;
+    grid_.columns = static_cast<std::int32_t>(o.extent.x * grid_.inverse.x) + 2;
+    grid_.rows = static_cast<std::int32_t>(o.extent.y * grid_.inverse.y) + 2;
   }
 
   void run() {
@@ -69,16 +70,16 @@ class Rasteriser {
   void sample_boundary() {
     Bitmap& sampled = raster_.sampled;
     sampled.reset(grid_.columns, grid_.rows, words_);
-    const double inverse = grid_.inverse;
+    const auto& [cell, inverse, columns, rows] = grid_;
     for (SiteId e = o_.begin; e < o_.end; ++e) {
       const Vec<double> a = o_.at(e);
       const Vec<double> b = o_.at(o_.next[e]);
-      const double cells = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) * inverse;
-      const int steps = static_cast<int>(cells) + 1;
-      const Vec<double> step{(b.x - a.x) * inverse / steps, (b.y - a.y) * inverse / steps};
+      const Vec<double> way{(b.x - a.x) * inverse.x, (b.y - a.y) * inverse.y};
+      const int steps = static_cast<int>(std::max(std::abs(way.x), std::abs(way.y))) + 1;
+      const Vec<double> step{way.x / steps, way.y / steps};
       for (int k = 0; k < steps; ++k) {
-        const auto i = static_cast<std::int32_t>(a.x * inverse + k * step.x);
-        const auto j = static_cast<std::int32_t>(a.y * inverse + k * step.y);
+        const auto i = static_cast<std::int32_t>(a.x * inverse.x + k * step.x);
+        const auto j = static_cast<std::int32_t>(a.y * inverse.y + k * step.y);
         if (i >= 0 && j >= 0 && i < sampled.columns() && j < sampled.rows()) sampled.set(i, j);
       }
     }

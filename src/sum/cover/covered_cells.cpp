@@ -43,7 +43,7 @@ void UncoveredRows::unite(const Cover& cover, Cancellation& cancellation) {
 std::optional<std::string> check(const Cover& cover, const Operands& operands) {
   const UniformGrid& grid = cover.grid;
   const Vec<double> extent = operands.sum_extent();
-  if (grid.columns * grid.cell < extent.x || grid.rows * grid.cell < extent.y) {
+  if (grid.columns * grid.cell.x < extent.x || grid.rows * grid.cell.y < extent.y) {
     return "the grid does not span the sum's box";
   }
   if (!cover.active) return std::nullopt;

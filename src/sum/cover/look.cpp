@@ -120,15 +120,17 @@ bool is_hidden(const Cover& cover, const UncoveredRows& uncovered, const Line& l
     return !cover.covered.get(grid.column(at.x), grid.row(at.y));
   };
   if (is_uncovered(start) || is_uncovered(end) || is_uncovered(middle)) return false;
-  const auto first = [&](double a, double b) {
-    return static_cast<std::int32_t>(std::min(a, b) * grid.inverse - 2 * UniformGrid::kMargin);
+  const auto first = [](double a, double b, double inverse) {
+    return static_cast<std::int32_t>(std::min(a, b) * inverse - 2 * UniformGrid::kMargin);
   };
-  const auto last = [&](double a, double b) {
-    return static_cast<std::int32_t>(std::max(a, b) * grid.inverse + 2 * UniformGrid::kMargin);
+  const auto last = [](double a, double b, double inverse) {
+    return static_cast<std::int32_t>(std::max(a, b) * inverse + 2 * UniformGrid::kMargin);
   };
-  const std::int32_t bottom = first(start.y, end.y);
-  const std::int32_t top = last(start.y, end.y);
-  if (uncovered.none_in(first(start.x, end.x), bottom, last(start.x, end.x), top)) return true;
+  const std::int32_t bottom = first(start.y, end.y, grid.inverse.y);
+  const std::int32_t top = last(start.y, end.y, grid.inverse.y);
+  const std::int32_t left = first(start.x, end.x, grid.inverse.x);
+  const std::int32_t right = last(start.x, end.x, grid.inverse.x);
+  if (uncovered.none_in(left, bottom, right, top)) return true;
   // In so few rows, the line's cells are a few words. Its halves may be in as many rows.
   constexpr std::int32_t kFewRows = 3;
   if (top - bottom < kFewRows) return !cells_near(cover, line, Until::kUncovered).uncovered;
@@ -226,7 +228,9 @@ double Sample::expected_crossings(const Operands& operands) const {
   // If segments were evenly spread, one of kSide * kSide pairs would lie in one cell.
   const auto count = static_cast<double>(lines.size());
   const double unevenness = 2 * static_cast<double>(pairs) * kSide * kSide / (count * count);
-  return std::max(1.0, unevenness) * step * across * step * up / area;
+  // Two segments cross once at most.
+  const double all = step * count;
+  return std::min(std::max(1.0, unevenness) * step * across * step * up / area, all * all / 2);
 }
 
 double lines_compared(double visible) {
@@ -268,7 +272,7 @@ Visibility look(const Sample& sample, const Cover& cover, Cancellation& cancella
     for (const auto& [line, seen] : lines) {
       if (!seen) continue;
       visible.push_back(line);
-      if (cover.active) rows += 1 + std::abs(line.end.y - line.start.y) * cover.grid.inverse;
+      if (cover.active) rows += 1 + std::abs(line.end.y - line.start.y) * cover.grid.inverse.y;
     }
     looked_at += lines.size();
     each = sample.step * static_cast<double>(sample.lines.size()) / static_cast<double>(looked_at);

@@ -5,17 +5,16 @@
 namespace minksum {
 namespace {
 
-/// Lays a grid over the sum's box. `cell` is a cell's side in the regions' unit of length.
-UniformGrid grid_over(const Operands& o, double cell) {
+/// Lays a grid over the sum's box. `cell` is a cell's size in the regions' unit of length.
+UniformGrid grid_over(const Operands& o, const Vec<double>& cell) {
   UniformGrid grid;
-  grid.cell = cell / o.trace_unit;
-  grid.inverse = o.trace_unit / cell;
-  const auto count = [&](double extent) {
-    return static_cast<std::int32_t>(std::min(extent * grid.inverse, 2.0 * UniformGrid::kMaxSide)) +
-           1;
+  grid.cell = {cell.x / o.trace_unit, cell.y / o.trace_unit};
+  grid.inverse = {o.trace_unit / cell.x, o.trace_unit / cell.y};
+  const auto count = [](double cells) {
+    return static_cast<std::int32_t>(std::min(cells, 2.0 * UniformGrid::kMaxSide)) + 1;
   };
-  grid.columns = count(o.sum_extent().x);
-  grid.rows = count(o.sum_extent().y);
+  grid.columns = count(o.sum_extent().x * grid.inverse.x);
+  grid.rows = count(o.sum_extent().y * grid.inverse.y);
   return grid;
 }
 
@@ -31,9 +30,12 @@ std::optional<SharedRaster> share_raster(const Operands& operands, double widest
   cover_interior(operands, options, cancellation, scratch, convolution, cover);
   if (!cover.by_translates || !cover.covers_any()) return std::nullopt;
   SharedRaster shared;
-  shared.cell = cover.grid.cell * operands.trace_unit;
-  if (!is_usable(shared.cell) || !is_usable(operands.trace_unit)) return std::nullopt;
-  const double columns = operands.extent[0].x * cover.grid.inverse + widest / shared.cell + 1;
+  const Vec<double>& cell = cover.grid.cell;
+  shared.cell = {cell.x * operands.trace_unit, cell.y * operands.trace_unit};
+  if (!is_usable(shared.cell.x) || !is_usable(shared.cell.y) || !is_usable(operands.trace_unit)) {
+    return std::nullopt;
+  }
+  const double columns = operands.extent[0].x * cover.grid.inverse.x + widest / shared.cell.x + 1;
   if (!(columns < UniformGrid::kMaxSide)) return std::nullopt;
   const Visibility typical =
       look(take_sample(operands, convolution, scratch), cover, cancellation, scratch);

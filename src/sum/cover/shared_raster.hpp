@@ -11,7 +11,7 @@ namespace minksum {
 
 /// A raster of the first operand, with cells of one size for all sums.
 struct SharedRaster {
-  double cell = 0;       ///< a cell's side, in the regions' unit of length
+  Vec<double> cell{};    ///< a cell's width and height, in the regions' unit of length
   double visible = 0;    ///< estimate of the visible segments of the typical sum
   double crossings = 0;  ///< estimate of the crossings of the typical sum
   OperandRaster first;  ///< narrow holes are kept: what fits into them depends on the other operand

@@ -35,9 +35,9 @@ void see_part(const Cover& cover, const Line& line, BoxOf<double>& box) {
   });
   // Spans and coordinates in cells are rounded by far less than the margin.
   constexpr double kMargin = 2 * UniformGrid::kMargin;
-  const double cell = cover.grid.cell;
-  box = common(box, {(part.x0 - kMargin) * cell, (part.y0 - kMargin) * cell,
-                     (part.x1 + kMargin) * cell, (part.y1 + kMargin) * cell});
+  const Vec<double>& cell = cover.grid.cell;
+  box = common(box, {(part.x0 - kMargin) * cell.x, (part.y0 - kMargin) * cell.y,
+                     (part.x1 + kMargin) * cell.x, (part.y1 + kMargin) * cell.y});
 }
 
 }  // namespace

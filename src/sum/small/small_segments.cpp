@@ -140,28 +140,44 @@ SmallSample take_sample(const Cover& cover, const SmallSegments& from, SmallSegm
   return {share, static_cast<std::uint32_t>(whole)};
 }
 
-void SmallOrder::apply(const SmallSegments& from, double width, double reach, SmallSegments& to) {
-  // A rounded place may lie beyond the width.
-  const double scale = kSide * kSide / (width * (1 + 0x1p-40) + 1);
-  const auto squares = static_cast<int>(std::bit_width(from.size * 4));
-  const int shift = std::max(4 * kSideBits - squares, 0);
+void SmallOrder::apply(const SmallSegments& from, const Vec<double>& extent, double reach,
+                       SmallSegments& to) {
+  // By operand.
+  std::array<double, 2> edges{};
+  std::array<double, 2> run{};
+  std::array<double, 2> rise{};
+  for (std::uint32_t i = 0; i < from.size; ++i) {
+    const std::uint32_t operand = from.origin[i].of_first;
+    edges[operand] += 1;
+    run[operand] += std::abs(from.dx[i]);
+    rise[operand] += std::abs(from.dy[i]);
+  }
+  CellShape shape;
+  for (std::size_t i = 0; i < 2; ++i) shape.add(edges[i], run[i], rise[i]);
+  const double stretch = shape.stretch();
+  const double width = std::max(extent.x, extent.y * stretch);
+  // A rounded place may lie beyond the sum's box.
+  const auto scale_of = [](double size) { return kSide * kSide / (size * (1 + 0x1p-40) + 1); };
+  const Vec<double> scale{scale_of(width), scale_of(width / stretch)};
+  const auto cells = static_cast<int>(std::bit_width(from.size * 4));
+  const int shift = std::max(4 * kSideBits - cells, 0);
   place_.assign((std::size_t{kSide} * kSide * kSide * kSide >> shift) + 1, 0);
-  square_.resize(from.size);
+  cell_.resize(from.size);
   for (std::uint32_t i = 0; i < from.size; ++i) {
     const Vec<double> middle = from.middle_of(i);
-    const auto column = static_cast<std::uint32_t>(middle.x * scale);
-    const auto row = static_cast<std::uint32_t>(middle.y * scale);
+    const auto column = static_cast<std::uint32_t>(middle.x * scale.x);
+    const auto row = static_cast<std::uint32_t>(middle.y * scale.y);
     const Step& whole = kCurve[0][row / kSide * kSide + column / kSide];
     const Step& part = kCurve[whole.turned][row % kSide * kSide + column % kSide];
-    square_[i] = (whole.place * kSide * kSide + std::uint32_t{part.place}) >> shift;
-    ++place_[square_[i] + std::size_t{1}];
+    cell_[i] = (whole.place * kSide * kSide + std::uint32_t{part.place}) >> shift;
+    ++place_[cell_[i] + std::size_t{1}];
   }
   for (std::size_t k = 1; k < place_.size(); ++k) place_[k] += place_[k - 1];
   to.clear_as(from);
   to.size = from.size;
   to.left_out = from.left_out;
   for (std::uint32_t i = 0; i < from.size; ++i) {
-    to.copy(from, i, place_[square_[i]]++);
+    to.copy(from, i, place_[cell_[i]]++);
   }
   to.finish(reach);
 }

@@ -263,17 +263,16 @@ template <class Number>
   return true;
 }
 
-/// Sorts segments by squares, of which there is one for every few segments, in the order of
-/// Hilbert's curve. Then segments that are near one another in the plane are near in the list.
-/// O(s).
+/// Sorts segments by cells, of which there is one for every few segments, in the order of Hilbert's
+/// curve. Then segments that are near one another in the plane are near in the list. O(s).
 class SmallOrder {
  public:
-  /// `width` is the larger extent of the sum, and places are rounded by less than `reach`.
-  void apply(const SmallSegments& from, double width, double reach, SmallSegments& to);
+  /// `extent` is the sum's, and places are rounded by less than `reach`.
+  void apply(const SmallSegments& from, const Vec<double>& extent, double reach, SmallSegments& to);
 
  private:
   std::vector<std::uint32_t> place_;
-  std::vector<std::uint32_t> square_;
+  std::vector<std::uint32_t> cell_;
 };
 
 }  // namespace minksum

@@ -33,9 +33,13 @@ class Tracer {
     if (!cover.active) return;
     const UniformGrid& grid = cover.grid;
     const Trace::Vertex origin = vertex({0, 0});
-    trace_.cover = {origin.x, origin.y, grid.cell * o_.trace_unit,
+    trace_.cover = {origin.x,
+                    origin.y,
+                    grid.cell.x * o_.trace_unit,
+                    grid.cell.y * o_.trace_unit,
                     static_cast<std::uint32_t>(grid.columns),
-                    static_cast<std::uint32_t>(grid.rows), {}};
+                    static_cast<std::uint32_t>(grid.rows),
+                    {}};
     for (std::int32_t j = 0; j < grid.rows; ++j) {
       cancellation_.check(static_cast<std::uint64_t>(grid.columns));
       for (std::int32_t i = 0; i < grid.columns; ++i) {

@@ -75,8 +75,10 @@ TEST(CellBox, CutsOffWhatIsFarAway) {
 
 TEST(UniformGrid, WalkMeetsEveryCellNearTheSegment) {
   Random random(3);
-  const UniformGrid grid = UniformGrid::over(1000, 700, 37);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
+    const double stretch = i % 2 == 0 ? 1 : std::ldexp(1, random.between(-8, 8));
+    const UniformGrid grid = UniformGrid::over({1000, 700}, 37, stretch);
+    ASSERT_EQ(std::max(grid.columns, grid.rows), 38);
     const int spread = random.one_in(2) ? 20 : 1000;
     Vec<double> a{static_cast<double>(random.between(0, 1000)),
                   static_cast<double>(random.between(0, 700))};

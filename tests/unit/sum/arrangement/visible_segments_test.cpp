@@ -74,13 +74,13 @@ Region sum_of(const CoveredSum& c, const Convolution& convolution, bool by_cells
 bool is_hidden(const CoveredSum& c, const Segment& s) {
   const auto& [x, y, dx, dy, next] = c.operands.sites;
   const UniformGrid& grid = c.cover.grid;
-  const auto range = [&](double a, double b) {
-    const double dust = std::min(0x1p-10 * grid.cell, std::abs(b - a) / 2);
+  const auto range = [](double a, double b, double cell) {
+    const double dust = std::min(0x1p-10 * cell, std::abs(b - a) / 2);
     return std::pair(std::min(a, b) + dust, std::max(a, b) - dust);
   };
   const SiteId f = next[s.edge];
-  const auto [left, right] = range(x[s.edge] + x[s.vertex], x[f] + x[s.vertex]);
-  const auto [low, high] = range(y[s.edge] + y[s.vertex], y[f] + y[s.vertex]);
+  const auto [left, right] = range(x[s.edge] + x[s.vertex], x[f] + x[s.vertex], grid.cell.x);
+  const auto [low, high] = range(y[s.edge] + y[s.vertex], y[f] + y[s.vertex], grid.cell.y);
   for (std::int32_t j = grid.row(low); j <= grid.row(high); ++j) {
     for (std::int32_t i = grid.column(left); i <= grid.column(right); ++i) {
       if (!c.cover.is_covered(i, j)) return false;

@@ -17,10 +17,10 @@ namespace {
 
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
-struct Meetings {
+struct MeetingSets {
   Pairs right;
   Pairs at_end;
-  friend bool operator==(const Meetings&, const Meetings&) = default;
+  friend bool operator==(const MeetingSets&, const MeetingSets&) = default;
 };
 
 std::unique_ptr<SmallSegments> random_segments(test::Random& random, std::uint32_t count,
@@ -46,8 +46,8 @@ std::unique_ptr<SmallSegments> random_segments(test::Random& random, std::uint32
 /// from the left of s, or from s itself, to its right, behind the start of s. In `at_end`, t leads
 /// from the end of s to the left, or both are on one line. Of the latter, those that lie elsewhere
 /// may be missing.
-Meetings defined(const SmallSegments& s) {
-  Meetings result;
+MeetingSets defined(const SmallSegments& s) {
+  MeetingSets result;
   for (std::uint32_t i = 0; i < s.size; ++i) {
     for (std::uint32_t t = 0; t < s.size; ++t) {
       if (t == i) continue;
@@ -73,12 +73,12 @@ Meetings defined(const SmallSegments& s) {
 
 /// Leaves out the meetings on one line and those at the end, which may be found or not.
 template <class Number>
-std::optional<Meetings> found(Vectors vectors, const SmallNumbers<Number>& numbers,
-                              const SmallSegments& s) {
+std::optional<MeetingSets> found(Vectors vectors, const SmallNumbers<Number>& numbers,
+                                 const SmallSegments& s) {
   const auto meetings = std::make_unique<SmallMeetings>();
   if (!find_meetings_by(vectors, numbers, s, *meetings)) return std::nullopt;
   const auto lanes = sure_lanes(numbers);
-  Meetings result;
+  MeetingSets result;
   std::set<std::size_t> seen;
   for (std::uint32_t i = 0; i < s.size; ++i) {
     meetings->for_each_right(i, [&](std::uint32_t t, std::size_t number) {
@@ -111,7 +111,7 @@ TEST(SmallMeetings, AreTheSameByAllVectors) {
   for (int k = 0; k < 400; ++k) {
     const auto count = static_cast<std::uint32_t>(random.between(1, 64));
     const auto s = random_segments(random, count, random.between(6, 20) + static_cast<int>(count));
-    const Meetings expected = defined(*s);
+    const MeetingSets expected = defined(*s);
     if (expected.right.size() > count / 2) continue;  // too many meetings are given up
     for (const Vectors vectors : available()) {
       EXPECT_EQ(found(vectors, SmallNumbers<double>{}, *s), expected) << k;
@@ -176,7 +176,7 @@ void expect_same_meetings(std::uint64_t seed, int bits, int twos,
   for (int k = 0; k < 400; ++k) {
     const auto count = static_cast<std::uint32_t>(random.between(1, 64));
     const auto s = random_segments(random, count, random.between(6, 20) + static_cast<int>(count));
-    const Meetings expected = defined(*s);
+    const MeetingSets expected = defined(*s);
     if (expected.right.size() > count / 2) continue;  // too many meetings are given up
     EdgesAndVertex operands;
     shear(*s, bits, twos, numbers, operands);
@@ -214,8 +214,8 @@ TEST(SmallMeetings, AreOfAnyNumberOfSegments) {
   for (const std::uint32_t count : {65U, 127U, 128U, 500U, 513U, 1200U, 1536U, 5000U}) {
     const int size = static_cast<int>(count);
     // In random order, most blocks would be near one another.
-    order->apply(*random_segments(random, count, size), size + 8, 0, *s);
-    const Meetings expected = defined(*s);
+    order->apply(*random_segments(random, count, size), {size + 8.0, size + 8.0}, 0, *s);
+    const MeetingSets expected = defined(*s);
     for (const Vectors vectors : available()) {
       EXPECT_EQ(found(vectors, SmallNumbers<double>{}, *s), expected) << count;
     }
@@ -233,15 +233,20 @@ TEST(SmallMeetings, AreGivenUpWhereThereAreMany) {
   }
 }
 
-TEST(SmallOrder, PutsNeighboursTogether) {
+/// Orders 700 segments whose x coordinates are multiplied by a factor.
+void expect_neighbours_together(double factor) {
   test::Random random(6);
   const auto s = random_segments(random, 700, 1000);
+  for (std::uint32_t i = 0; i < s->size; ++i) {
+    s->x[i] *= factor;
+    s->dx[i] *= factor;
+  }
   for (std::uint32_t i = 0; i < s->size; ++i) {
     s->origin[i] = {i, 0, true};
   }
   const auto ordered = std::make_unique_for_overwrite<SmallSegments>();
   const auto order = std::make_unique<SmallOrder>();
-  order->apply(*s, 1008, 0, *ordered);
+  order->apply(*s, {1008 * factor, 1008}, 0, *ordered);
   ASSERT_EQ(ordered->size, s->size);
   std::set<std::uint32_t> all;
   double way = 0;
@@ -254,11 +259,17 @@ TEST(SmallOrder, PutsNeighboursTogether) {
     EXPECT_EQ(ordered->dx[k], s->dx[i]);
     EXPECT_EQ(ordered->dy[k], s->dy[i]);
     if (k == 0) continue;
-    way +=
-        std::abs(ordered->x[k] - ordered->x[k - 1]) + std::abs(ordered->y[k] - ordered->y[k - 1]);
-    way_before += std::abs(s->x[k] - s->x[k - 1]) + std::abs(s->y[k] - s->y[k - 1]);
+    const auto way_to = [&](const SmallSegments& of) {
+      return std::abs(of.x[k] - of.x[k - 1]) / factor + std::abs(of.y[k] - of.y[k - 1]);
+    };
+    way += way_to(*ordered);
+    way_before += way_to(*s);
   }
-  EXPECT_LT(way, way_before / 4);
+  EXPECT_LT(way, way_before / 4) << factor;
+}
+
+TEST(SmallOrder, PutsNeighboursTogether) {
+  for (const double factor : {1.0, 0x1p-12, 0x1p20}) expect_neighbours_together(factor);
 }
 
 }  // namespace

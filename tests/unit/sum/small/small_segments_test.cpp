@@ -14,9 +14,9 @@ namespace {
 /// Returns a cover of 100 by 80 cells, in which most are covered. A cell's side is 16.
 Cover random_cover(test::Random& random) {
   Cover cover;
-  cover.grid = UniformGrid::over(1599, 1279, 100);
-  cover.grid.cell = 16;
-  cover.grid.inverse = 1.0 / 16;
+  cover.grid = UniformGrid::over({1599, 1279}, 100);
+  cover.grid.cell = {16, 16};
+  cover.grid.inverse = {1.0 / 16, 1.0 / 16};
   cover.active = true;
   cover.covered.reset(cover.grid.columns, cover.grid.rows, 2);
   for (std::int32_t j = 0; j < cover.grid.rows; ++j) {
