@@ -174,6 +174,17 @@ class Gdal(ProgramTest):
                          wanted)
         self.assertEqual(self.fine("convert", folder, "--each"), wanted)
 
+    def test_archives_of_what_is_read_without_gdal(self):
+        point = '{"type": "Point", "coordinates": [0.1, 0.2]}'
+        circle = ("0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n1\n"
+                  "0\nENDSEC\n0\nEOF\n")
+        for name, text in (("point.geojson", point), ("circle.dxf", circle)):
+            archive = self.folder / f"{name}.zip"
+            with zipfile.ZipFile(archive, "w") as out:
+                out.writestr(name, text)
+            self.fails(2, "files that minksum reads by itself have to be unpacked", "convert",
+                       archive)
+
     def test_operations_and_batches(self):
         path = self.made("FlatGeobuf", "made.fgb")
         same = self.file("same.txt", "\n".join(self.as_ogr_reads(path)[0]))

@@ -1,4 +1,5 @@
 // Opens files by GDAL, and hands over the features of one layer.
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -26,6 +27,13 @@ constexpr int kLittleEndian = 1;
 constexpr int kFailure = 3;
 enum FieldType { kInteger = 0, kReal = 2, kInteger64 = 12 };
 constexpr int kBoolean = 1;
+
+// The drivers that may open an archive. Others would read what minksum reads itself: GeoJSON, whose
+// numbers would become doubles, and DXF, whose arcs would become polylines.
+constexpr std::array<const char*, 15> kArchiveDrivers = {
+    "ESRI Shapefile", "GPKG",    "SQLite",      "FlatGeobuf", "KML",
+    "LIBKML",         "GML",     "GPX",         "OSM",        "MapInfo File",
+    "OpenFileGDB",    "FileGDB", "Parquet",     "Arrow",      nullptr};
 
 /// Keeps GDAL from writing to standard error while it lives.
 class Silence {
@@ -224,15 +232,17 @@ std::optional<std::string> features_by_gdal(const std::string& path, const std::
   const Library* const gdal = gdal::library();
   if (gdal == nullptr) return {};
   const Silence silence(*gdal);
+  const bool is_archive = name.find(" zip ") != std::string::npos;
   const auto open = [&](const std::string& what) {
-    return Owned(
-        gdal->GDALOpenEx(what.c_str(), kOpenVector | kOpenVerbose, nullptr, nullptr, nullptr),
-        gdal->GDALClose);
+    return Owned(gdal->GDALOpenEx(what.c_str(), kOpenVector | kOpenVerbose,
+                                  is_archive ? kArchiveDrivers.data() : nullptr, nullptr, nullptr),
+                 gdal->GDALClose);
   };
   Owned dataset = open(path);
-  if (!dataset && name.find(" zip ") != std::string::npos) dataset = open("/vsizip/{" + path + "}");
+  if (!dataset && is_archive) dataset = open("/vsizip/{" + path + "}");
   if (!dataset) {
-    fail("this looks like " + name + ", but GDAL cannot open it" + last_message(*gdal));
+    fail("this looks like " + name + ", but GDAL cannot open it" + last_message(*gdal) +
+         (is_archive ? "; files that minksum reads by itself have to be unpacked" : ""));
   }
   const Handle layer = choose_layer(*gdal, dataset.get(), options.drawing.layer);
   LayerReader reader(*gdal, layer, options);
