@@ -129,7 +129,10 @@ NamedOperand read(std::string_view value, const char* name, const std::string& f
     }
   };
   if (const auto path = json_string(value)) {
-    if (path->empty() || *path == "-") throw usage(std::string("'") + name + "' names no file");
+    const bool has_nul = path->find('\0') != std::string::npos;  // which would end the name
+    if (path->empty() || *path == "-" || has_nul) {
+      throw usage(std::string("'") + name + "' names no file");
+    }
     const std::string file = (std::filesystem::path(folder) / *path).string();
     // Reading a special file may never end, and the time limit cannot stop it.
     if (is_special(file)) {

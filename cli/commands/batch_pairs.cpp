@@ -9,6 +9,7 @@
 #include "commands/batch.hpp"
 #include "commands/commands.hpp"
 #include "commands/operations.hpp"
+#include "help/spelling.hpp"
 #include "minksum/prepared_region.hpp"
 #include "options/turns.hpp"
 #include "output/json_members.hpp"
@@ -48,7 +49,9 @@ std::vector<fs::path> files_in(const std::string& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const std::string ending = at->path().extension().string();
+    // Hidden files are no parts: macOS puts one such as ._a.wkt beside each file on foreign disks.
+    if (at->path().filename().string().starts_with('.')) continue;
+    const std::string ending = in_lower_case(at->path().extension().string());
     const bool readable = ending == ".wkt" || ending == ".geojson" || ending == ".json" ||
                           ending == ".poly" || ending == ".dat";
     if (readable) files.push_back(at->path());

@@ -311,6 +311,7 @@ class Jobs(BatchTest):
             ({"a": "/dev/zero"}, "bad-input", "/dev/zero: is no file; jobs read no pipes"),
             ({"a": "-"}, "bad-job", "'a' names no file"),
             ({"a": ""}, "bad-job", "'a' names no file"),
+            ({"a": "jobs.jsonl\0.wkt"}, "bad-job", "'a' names no file"),
             ({"b": wkt("POINT (1 x)")}, "bad-input", "b:1:10: "),
             ({"b": wkt(5)}, "bad-job", "'wkt' of 'b' is a string"),
             ({"b": {"type": "Point", "coordinates": [1]}}, "bad-input", "b:1:"),
@@ -680,6 +681,12 @@ class Pairs(BatchTest):
     def pairs(self, *options):
         return [json.loads(line) for line in
                 self.fine("batch", "--pairs", self.parts, *options).splitlines()]
+
+    def test_names_of_parts(self):
+        wanted = self.pairs()
+        (self.parts / "._a.wkt").write_bytes(b"\0\5\x16\7")  # as macOS puts beside a file
+        (self.parts / "d.wkt").rename(self.parts / "d.WKT")
+        self.assertEqual([r["result"] for r in self.pairs()], [r["result"] for r in wanted])
 
     def test_parts_that_do_not_fit(self):
         (self.parts / "e.wkt").write_text("SRID=4326;" + FRAME)
