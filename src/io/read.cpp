@@ -164,9 +164,11 @@ Format detect_format(std::string_view text) {
   cursor.skip_space_and_comments();
   if (looks_like_hex_wkb(cursor.rest())) return Format::kWkb;
   const char c = cursor.peek();
-  if (is_letter(first) || first == '"' || first == '_') {
-    if (looks_like_table(cursor.rest())) return Format::kTable;
-  }
+  // The first name of a table may be empty, as that of the index is in tables of pandas, and its
+  // letters may be of any language.
+  const bool may_be_name = is_letter(first) || first == '"' || first == '_' || first == ',' ||
+                           first == ';' || static_cast<unsigned char>(first) >= 0x80;
+  if (may_be_name && looks_like_table(cursor.rest())) return Format::kTable;
   if (!is_digit(c) && (first != '#' || is_letter(c) || c == '"' || c == '\'')) return Format::kWkt;
   return looks_like_poly(cursor) ? Format::kPoly : Format::kDat;
 }

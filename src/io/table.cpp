@@ -19,7 +19,7 @@ struct Cell {
 };
 using Row = std::vector<Cell>;
 
-constexpr std::array<std::string_view, 8> kLoneNames = {
+constexpr std::array<std::string_view, 8> kUsualNames = {
     "WKT", "WKB", "GEOM", "GEOMETRY", "THE_GEOM", "WKB_GEOMETRY", "WKT_GEOM", "SHAPE"};
 
 std::string in_capitals(std::string_view text) {
@@ -49,14 +49,75 @@ char mark_between(std::string_view line) {
   return best;
 }
 
+/// Returns the text from its first line that is not empty. Space in that line stays: a tab there
+/// stands behind a name that is empty.
+std::string_view from_first_line(std::string_view text) {
+  const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  const std::size_t end = text.substr(0, begin).rfind('\n');
+  return end == std::string_view::npos ? text : text.substr(end + 1);
+}
+
+/// Tells whether columns of geometries usually have this name, which is in capitals. Databases name
+/// a column after the call that made it, such as `ST_AsText(geom)`.
+bool is_usual_name(std::string_view name) {
+  if (name.size() > 2 && name.front() == '"' && name.back() == '"') {
+    name = name.substr(1, name.size() - 2);
+  }
+  return std::ranges::find(kUsualNames, name) != kUsualNames.end() || name.starts_with("ST_AS");
+}
+
+bool has_usual_name(std::string_view line, char mark) {
+  for (;;) {
+    const std::size_t end = std::min(line.find(mark), line.size());
+    if (is_usual_name(line.substr(0, end))) return true;
+    if (end == line.size()) return false;
+    line.remove_prefix(end + 1);
+  }
+}
+
+/// Takes letters in capitals from the beginning of a text, and space before and behind them.
+std::string_view take_word(std::string_view& text) {
+  const auto skip_space = [&text] {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  };
+  skip_space();
+  std::size_t size = 0;
+  while (size < text.size() && text[size] >= 'A' && text[size] <= 'Z') ++size;
+  const std::string_view word = text.substr(0, size);
+  text.remove_prefix(size);
+  skip_space();
+  return word;
+}
+
+// Names may begin as WKT does: Point Reyes.
 bool looks_like_geometry(std::string_view cell) {
   const std::size_t begin = std::min(cell.find_first_not_of(" \t\r\n"), cell.size());
   cell.remove_prefix(begin);
   if (looks_like_hex_wkb(cell)) return true;
-  constexpr std::size_t kLongest = 20;
+  constexpr std::size_t kLongest = 60;
   const std::string start = in_capitals(cell.substr(0, kLongest));
-  return start.starts_with("SRID=") ||
-         std::ranges::any_of(kWktTypes, [&](auto type) { return start.starts_with(type); });
+  if (start.starts_with("SRID=")) return true;
+  const auto is_dimension = [](std::string_view word) {
+    return word == "Z" || word == "M" || word == "ZM";
+  };
+  std::string_view rest = start;
+  const std::string_view word = take_word(rest);
+  const bool is_type = std::ranges::any_of(kWktTypes, [&](std::string_view type) {
+    return word == type || (word.starts_with(type) && is_dimension(word.substr(type.size())));
+  });
+  if (!is_type) return false;
+  std::string_view next = take_word(rest);
+  if (is_dimension(next)) next = take_word(rest);
+  return next == "EMPTY" || (next.empty() && rest.starts_with('('));
+}
+
+/// Tells whether a cell is as databases write one that holds nothing.
+bool is_null(std::string_view text, bool quoted) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return true;
+  if (quoted || text.size() - begin > sizeof "NULL") return false;
+  text = text.substr(begin, text.find_last_not_of(" \t\r\n") + 1 - begin);
+  return text == "\\N" || in_capitals(text) == "NULL";
 }
 
 class TableSource : public FeatureSource {
@@ -65,8 +126,9 @@ class TableSource : public FeatureSource {
       : FeatureSource(options, rules),
         cursor_(text),
         options_(options),
-        mark_(mark_between(first_line(text))) {
+        mark_(mark_between(first_line(from_first_line(text)))) {
     builder_.follow(cursor_);
+    cursor_.move_to(text.size() - from_first_line(text).size());
     Row header;
     take_row(header);
     for (const Cell& cell : header) names_.push_back(text_of(cell));
@@ -90,7 +152,7 @@ class TableSource : public FeatureSource {
     const Cell& cell = row_[column_];
     start_ = row_.front().begin;
     const std::string_view text = cursor_.text().substr(cell.begin, cell.end - cell.begin);
-    is_null_ = text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+    is_null_ = is_null(text, cell.quoted);
     if (is_null_) return true;
     const std::size_t after = cursor_.position();
     cursor_.move_to(cell.begin);
@@ -178,7 +240,7 @@ class TableSource : public FeatureSource {
     return text;
   }
 
-  // Looks into the first rows, until one has a geometry.
+  // Looks into the first rows, until one has a geometry. If no row has one, the name decides.
   std::size_t find_column() {
     const std::size_t begin = cursor_.position();
     std::vector<std::size_t> found;
@@ -190,6 +252,12 @@ class TableSource : public FeatureSource {
     rows_ = 0;
     cursor_.name_record({}, 0);
     cursor_.move_to(begin);
+    if (found.empty()) {
+      for (std::size_t i = 0; i < names_.size(); ++i) {
+        if (is_usual_name(in_capitals(names_[i]))) found.push_back(i);
+      }
+      if (found.size() > 1) found.clear();
+    }
     if (found.size() == 1) return found.front();
     if (found.empty()) {
       cursor_.fail(
@@ -233,18 +301,12 @@ class TableSource : public FeatureSource {
 }  // namespace
 
 bool looks_like_table(std::string_view text) {
-  const std::string_view line = first_line(text);
-  const std::string capitals = in_capitals(line);
-  if (line.find_first_of("({[<=") != std::string_view::npos ||
-      capitals.find(" EMPTY") != std::string::npos) {
-    return false;
-  }
-  if (mark_between(line) != '\0') return true;
-  std::string_view name = capitals;
-  if (name.size() > 2 && name.front() == '"' && name.back() == '"') {
-    name = name.substr(1, name.size() - 2);
-  }
-  return std::ranges::find(kLoneNames, name) != kLoneNames.end();
+  const std::string line = in_capitals(first_line(text));
+  if (!line.empty() && static_cast<unsigned char>(line[0]) >= 0x80 && !is_utf8(line)) return false;
+  const char mark = mark_between(line);
+  const bool may_be_wkt = line.find_first_of("({[<=") != std::string::npos ||
+                          line.find(" EMPTY") != std::string::npos;
+  return may_be_wkt ? has_usual_name(line, mark) : mark != '\0' || is_usual_name(line);
 }
 
 std::unique_ptr<FeatureSource> table_source(std::string_view text, const ReadOptions& options,

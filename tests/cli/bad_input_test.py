@@ -108,7 +108,7 @@ TABLE = [
     (".dat with a huge count", "99999999999999999999 0 0", 3, "digits"),
     # -- tables -------------------------------------------------------------------------------
     ("CSV without geometries", "a,b\n1,2\n", 2, "no column of this table holds WKT"),
-    ("CSV with its first line alone", "wkt,name\n", 2, "there are 'wkt', 'name'"),
+    ("CSV with its first line alone", "a,name\n", 2, "there are 'a', 'name'"),
     ("CSV of two geometries", 'a,b\nPOINT (1 2),POINT (3 4)\n', 2,
      "several columns hold geometries: 'a' and 'b'; --column names the one to read"),
     ("CSV with too many cells", 'wkt,n\nPOINT (1 2),3\nPOINT (1 2),3,4\n', 2,

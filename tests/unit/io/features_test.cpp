@@ -203,6 +203,32 @@ TEST(Features, TheColumnOfATable) {
   EXPECT_EQ(detect_format("SRID=1;POINT EMPTY"), Format::kWkt);
 }
 
+TEST(Features, TablesAsOtherProgramsWriteThem) {
+  const Geometry point{{}, {}, {{1, 2}}};
+  for (const char* table :
+       {",geometry\n0,POINT (1 2)\n", ",geometry,n\n0,POINT (1 2),3\n",
+        ";geometry\n0;POINT (1 2)\n", "\tgeometry\tn\n0\tPOINT (1 2)\ta\n",
+        "\n \r\nid,geom\n1,POINT (1 2)\n",
+        "\n\tgeom\n1\tPOINT (1 2)\n", "größe,geom\n1,POINT (1 2)\n", "名,geom\n1,POINT (1 2)\n",
+        "name,the_geom,area (m2)\na,POINT (1 2),3\n", "ST_AsText(geom)\nPOINT (1 2)\n",
+        "id\tst_astext(geom)\n1\tPOINT (1 2)\n", "\"st_astext\"\n\"POINT (1 2)\"\n",
+        "id,geom\n1,NULL\n2,\\N\n3,null\n4,POINT (1 2)\n",
+        "name,geom\nPoint Reyes,POINT (1 2)\n", "name,geom\nPoint,POINT(1 2)\n",
+        "id,geom\n1,MULTIPOINT EMPTY\n2,point(1 2)\n"}) {
+    EXPECT_EQ(detect_format(table), Format::kTable) << table;
+    EXPECT_EQ(read_geometry(table), point) << table;
+  }
+  EXPECT_EQ(read_document("id,geom\n1,POINT Z(1 2 3)\n", {.drop_z = true}).geometry, point);
+  for (const char* table : {"id,geom\n", "geom", "id,geom\n1,\n2,\n", "id,geom\n1,NULL\n"}) {
+    EXPECT_TRUE(read_geometry(table) == Geometry{}) << table;
+  }
+  EXPECT_EQ(refusal("a,geom,wkt\n1,,\n"),
+            "1:1: no column of this table holds WKT, or WKB in hexadecimal digits; there are 'a', "
+            "'geom', 'wkt'");
+  EXPECT_EQ(detect_format("POLIGON ((0 0, 1 0, 0 1, 0 0))\n"), Format::kWkt);
+  EXPECT_EQ(detect_format("\xE9,geom\n"), Format::kWkt);
+}
+
 TEST(Features, ReferenceSystemsAreWritten) {
   const Geometry point{{}, {}, {{1, 2}}};
   const Coordinates by_number{.srid = 3857};
