@@ -15,9 +15,9 @@
 namespace minksum::io {
 
 /// The words that begin a text in WKT, in capitals.
-inline constexpr std::array<std::string_view, 7> kWktTypes = {
-    "POINT",           "LINESTRING",   "POLYGON",           "MULTIPOINT",
-    "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
+inline constexpr std::array<std::string_view, 8> kWktTypes = {
+    "POINT",           "LINESTRING",   "POLYGON",            "MULTIPOINT",
+    "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "LINEARRING"};
 
 // Readers of a whole text, which is one feature.
 void read_poly(std::string_view text, const ReadOptions& options, GeometryBuilder& builder);

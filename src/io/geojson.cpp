@@ -273,7 +273,11 @@ class GeoJsonSource : public FeatureSource {
     is_null_ = true;
   }
 
+  // Accepts `[[]]`, which GEOS writes for the empty polygon.
   void polygon() {
+    const std::size_t start = json_.text().position();
+    if (json_.accept('[') && json_.accept('[') && json_.accept(']') && json_.accept(']')) return;
+    json_.text().move_to(start);
     bool any = false;
     json_.array("an array of rings", [&] {
       if (!any) builder_.begin_polygon();

@@ -79,7 +79,7 @@ class WktReader {
       maybe_empty([this] { point_in_parentheses(); });
     } else if (word == "MULTIPOINT") {
       maybe_empty([this] { list([this] { maybe_empty([this] { multipoint_member(); }); }); });
-    } else if (word == "LINESTRING") {
+    } else if (word == "LINESTRING" || word == "LINEARRING") {  // so GEOS writes a ring by itself
       maybe_empty([this] { line(); });
     } else if (word == "MULTILINESTRING") {
       maybe_empty([this] { list([this] { maybe_empty([this] { line(); }); }); });
@@ -109,12 +109,13 @@ class WktReader {
   }
 
   [[noreturn]] void fail_other(const std::string& word) {
-    for (const char* thin : {"POINT", "MULTIPOINT", "LINESTRING", "MULTILINESTRING"}) {
+    for (const char* thin :
+         {"POINT", "MULTIPOINT", "LINESTRING", "MULTILINESTRING", "LINEARRING"}) {
       if (word == thin) cursor_.fail("a region needs polygons: " + word + " has no area");
     }
-    constexpr std::array<std::string_view, 10> kOthers = {
-        "LINEARRING",   "CURVE",        "COMPOUNDCURVE", "MULTICURVE", "CIRCULARSTRING",
-        "CURVEPOLYGON", "MULTISURFACE", "TRIANGLE",      "TIN",        "POLYHEDRALSURFACE"};
+    constexpr std::array<std::string_view, 9> kOthers = {
+        "CURVE",        "COMPOUNDCURVE", "MULTICURVE", "CIRCULARSTRING",   "CURVEPOLYGON",
+        "MULTISURFACE", "TRIANGLE",      "TIN",        "POLYHEDRALSURFACE"};
     for (const std::string_view other : kOthers) {
       if (word == other) cursor_.fail(word + " is not supported");
     }

@@ -44,6 +44,8 @@ TEST(Geometries, Wkt) {
       {"LINESTRING (0 0, 1/3 2, 5 0)", {{}, {kBent}, {}}},
       {"LINESTRING (1 1, 1 1)", {{}, {{{1, 1}, {1, 1}}}, {}}},
       {"LINESTRING EMPTY", {}},
+      {"LINEARRING (7 7, 8 9)", {{}, {kSegment}, {}}},
+      {"LinearRing EMPTY", {}},
       {"MULTILINESTRING ((0 0, 1/3 2, 5 0), EMPTY, (7 7, 8 9))", {{}, {kBent, kSegment}, {}}},
       {"SRID=7;MULTILINESTRING EMPTY", {}},
       {"GEOMETRYCOLLECTION (POINT (1 2), POLYGON ((0 0, 1 0, 0 1, 0 0)), GEOMETRYCOLLECTION "
@@ -62,6 +64,9 @@ TEST(Geometries, GeoJson) {
       {json("Point", " [ ] "), {}},
       {json("MultiPoint", "[[1,2],[3,4]]"), {{}, {}, {{1, 2}, {3, 4}}}},
       {json("MultiPoint", "[]"), {}},
+      {json("Polygon", " [ [ ] ] "), {}},
+      {json("MultiPolygon", "[[[]],[[[0,0],[1,0],[0,1],[0,0]]],[]]"),
+       {polygon({{0, 0}, {1, 0}, {0, 1}}), {}, {}}},
       {json("LineString", "[[7,7],[8,9]]"), {{}, {kSegment}, {}}},
       {json("LineString", "[]"), {}},
       {json("MultiLineString", R"([[[0,0],["1/3",2],[5,0]],[],[[7,7],[8,9]]])"),
