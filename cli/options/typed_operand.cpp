@@ -105,17 +105,32 @@ Geometry ngon_of(const std::string& operand, const std::string& text,
   return Region(polygon);
 }
 
+// A copy of a file may be called `polygon (1).wkt`, or lie in a folder `Points (old)`. Nobody types
+// WKT that ends as the names of files do, or that is the name of a file.
+bool is_name_of_file(const std::string& operand) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const std::string ending = std::filesystem::path(operand).extension().string();
+  if (ending.size() > 1 && is_letter(ending[1]) &&
+      std::all_of(ending.begin() + 1, ending.end(),
+                  [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); })) {
+    return true;
+  }
+  std::error_code ignored;
+  return std::filesystem::exists(operand, ignored);
+}
+
 }  // namespace
 
 bool is_typed_wkt(const std::string& operand) {
-  constexpr std::array<std::string_view, 8> kWords = {
-      "point",        "linestring",         "polygon", "multipoint", "multilinestring",
-      "multipolygon", "geometrycollection", "srid="};
+  constexpr std::array<std::string_view, 9> kWords = {
+      "point",        "linestring",         "polygon",    "multipoint", "multilinestring",
+      "multipolygon", "geometrycollection", "linearring", "srid="};
   const std::size_t begin = operand.find_first_not_of(" \t\r\n");
   if (begin == std::string::npos) return false;
   const std::string text = in_lower_case(std::string_view(operand).substr(begin));
   return std::ranges::any_of(kWords, [&](auto word) { return text.starts_with(word); }) &&
-         (text.find('(') != std::string::npos || text.find(" empty") != std::string::npos);
+         (text.find('(') != std::string::npos || text.find(" empty") != std::string::npos) &&
+         !is_name_of_file(operand);
 }
 
 std::optional<Geometry> named_shape(const std::string& operand, const io::DrawingOptions& drawing) {

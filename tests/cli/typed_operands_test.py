@@ -93,6 +93,17 @@ class TypedOperands(ProgramTest):
                          shape)
         self.assertEqual(self.fine("sum", "./box:1x1", POINT, cwd=self.folder), SQUARE + "\n")
 
+    def test_a_file_whose_name_begins_as_wkt_does(self):
+        (self.folder / "Polygons (old)").mkdir()
+        names = ("polygon (1).wkt", "points (copy).geojson", "Polygons (old)/a.wkt",
+                 "point empty.txt", "Polygon (2)", "srid=4326 (final).wkt")
+        for name in names:
+            self.file(name, SQUARE)
+            self.assertEqual(self.fine("sum", name, POINT, cwd=self.folder), SQUARE + "\n")
+        self.assertEqual(self.fine("convert", names[0], "--each", cwd=self.folder), SQUARE + "\n")
+        self.fails(2, "minksum: polygon (9).wkt: cannot be read: No such file", "info",
+                   "polygon (9).wkt", cwd=self.folder)
+
 
 if __name__ == "__main__":
     main()
