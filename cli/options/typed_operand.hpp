@@ -8,8 +8,8 @@
 
 namespace minksum::cli {
 
-/// Returns whether an operand is a geometry as WKT, such as "POLYGON ((0 0, 1 0, 0 1))", and not the
-/// name of a file, such as "polygon (1).wkt".
+/// Returns whether an operand is a geometry as WKT, such as "POLYGON ((0 0, 1 0, 0 1))", and not
+/// the name of a file, such as "polygon (1).wkt".
 [[nodiscard]] bool is_typed_wkt(const std::string& operand);
 
 /// Returns the shape that an operand names, around the origin: "disc:R", "box:WxH" or "ngon:N:R".

@@ -77,7 +77,7 @@ bool is_folder_for_gdal(const std::string& path) {
   if (!std::filesystem::is_directory(path, unknown)) return false;
   for (const auto& entry : std::filesystem::directory_iterator(path, unknown)) {
     const auto ending = entry.path().extension();
-    if (ending == ".shp" || ending == ".gdbtable") return true;
+    if (ending == ".shp" || ending == ".SHP" || ending == ".gdbtable") return true;
   }
   return false;
 }

@@ -173,6 +173,9 @@ class Gdal(ProgramTest):
         self.assertEqual(self.fine("convert", archive.rename(self.folder / "a.bin"), "--each"),
                          wanted)
         self.assertEqual(self.fine("convert", folder, "--each"), wanted)
+        for part in list(folder.iterdir()):
+            part.rename(folder / part.name.upper())
+        self.assertEqual(self.fine("convert", folder, "--each"), wanted)
 
     def test_archives_of_what_is_read_without_gdal(self):
         point = '{"type": "Point", "coordinates": [0.1, 0.2]}'
@@ -182,8 +185,8 @@ class Gdal(ProgramTest):
             archive = self.folder / f"{name}.zip"
             with zipfile.ZipFile(archive, "w") as out:
                 out.writestr(name, text)
-            self.fails(2, "files that minksum reads by itself have to be unpacked", "convert",
-                       archive)
+            self.fails(2, "unpack it, if it holds a folder, or what is read without GDAL",
+                       "convert", archive)
 
     def test_operations_and_batches(self):
         path = self.made("FlatGeobuf", "made.fgb")

@@ -242,7 +242,7 @@ std::optional<std::string> features_by_gdal(const std::string& path, const std::
   if (!dataset && is_archive) dataset = open("/vsizip/{" + path + "}");
   if (!dataset) {
     fail("this looks like " + name + ", but GDAL cannot open it" + last_message(*gdal) +
-         (is_archive ? "; files that minksum reads by itself have to be unpacked" : ""));
+         (is_archive ? "; unpack it, if it holds a folder, or what is read without GDAL" : ""));
   }
   const Handle layer = choose_layer(*gdal, dataset.get(), options.drawing.layer);
   LayerReader reader(*gdal, layer, options);
