@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "minksum/export.h"
@@ -92,21 +94,31 @@ struct [[nodiscard]] Outcome {
   [[nodiscard]] bool ok() const { return !error.has_value(); }
 };
 
+namespace detail {
+/// Returns the Outcome for std::bad_alloc. This takes no memory: there may be none.
+[[nodiscard]] MINKSUM_API Outcome out_of_memory() noexcept;
+}  // namespace detail
+
 /// Runs `operation` and returns its Outcome instead of throwing. An Error is returned as it was
 /// thrown, and std::bad_alloc becomes kLimitExceeded with the limit "memory". Other exceptions
-/// pass. Every operation of the library can be called so:
+/// pass. An Outcome that `operation` returns is passed on. Every operation of the library can be
+/// called so:
 ///
 ///     Geometry grown;
 ///     const Outcome outcome = attempt([&] { grown = offset(plate, 1); });
 template <class Operation>
 Outcome attempt(Operation&& operation) {
   try {
-    std::forward<Operation>(operation)();
-    return {};
+    if constexpr (std::is_same_v<std::remove_cvref_t<std::invoke_result_t<Operation>>, Outcome>) {
+      return std::forward<Operation>(operation)();
+    } else {
+      std::forward<Operation>(operation)();
+      return {};
+    }
   } catch (const Error& error) {
     return {error};
   } catch (const std::bad_alloc&) {
-    return {Error(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"})};
+    return detail::out_of_memory();
   }
 }
 

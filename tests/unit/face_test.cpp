@@ -134,6 +134,12 @@ TEST(Face, EveryOperationCanBeAttempted) {
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.error->code(), ErrorCode::kBadInput);
   EXPECT_EQ(outcome.error->culprit().operand, 1);
+  Workspace workspace;
+  Region sum;
+  const Region bow_tie{Polygon{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}};
+  outcome = attempt([&] { return minkowski_sum(bow_tie, bow_tie, Options{}, workspace, sum); });
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(outcome.error->code(), ErrorCode::kBadInput);
   outcome = attempt([] { throw std::bad_alloc(); });
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.error->limit()->name, "memory");
