@@ -1,8 +1,8 @@
 // Implements geometries of the C interface: from arrays, into arrays, from text and to text.
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -12,13 +12,16 @@
 
 namespace minksum::c {
 
-minksum_status tell(minksum_error* error, minksum_status status, const std::string& message,
-                    const Error* cause) {
+minksum_status tell(minksum_error* error, minksum_status status, std::string_view message,
+                    const Error* cause) noexcept {
   if (error == nullptr) return status;
   const Culprit culprit = cause != nullptr ? cause->culprit() : Culprit{};
   const auto* const read = dynamic_cast<const io::ReadError*>(cause);
-  const std::optional<ExceededLimit> limit =
-      cause != nullptr ? cause->limit() : std::optional<ExceededLimit>();
+  ExceededLimit limit;
+  if (cause != nullptr && cause->limit()) limit = *cause->limit();
+  // A text that is too long is cut between two characters of UTF-8, not in one.
+  std::size_t length = std::min(message.size(), sizeof error->message - 1);
+  while (length != 0 && length < message.size() && (message[length] & 0xC0) == 0x80) --length;
   // Texts are not cleared behind their ends, which would take longer than a short call.
   error->status = status;
   error->operand = culprit.operand;
@@ -27,22 +30,23 @@ minksum_status tell(minksum_error* error, minksum_status status, const std::stri
   error->vertex = culprit.vertex;
   error->line = read != nullptr ? read->line() : 0;
   error->column = read != nullptr ? read->column() : 0;
-  error->limit[limit ? limit->name.copy(error->limit, sizeof error->limit - 1) : 0] = '\0';
-  error->limit_value = limit ? limit->value : 0;
-  error->message[message.copy(error->message, sizeof error->message - 1)] = '\0';
+  error->limit[limit.name.copy(error->limit, sizeof error->limit - 1)] = '\0';
+  error->limit_value = limit.value;
+  error->message[message.copy(error->message, length)] = '\0';
   return status;
 }
 
 namespace {
 
+// This takes no memory: there may be none.
 minksum_status tell_out_of_memory(minksum_error* error) {
-  const Error cause(ErrorCode::kLimitExceeded, "out of memory", {}, {}, ExceededLimit{"memory"});
-  return tell(error, MINKSUM_LIMIT_EXCEEDED, cause.what(), &cause);
+  const Outcome outcome = detail::out_of_memory();
+  return tell(error, MINKSUM_LIMIT_EXCEEDED, outcome.error->what(), &*outcome.error);
 }
 
 }  // namespace
 
-minksum_status tell_exception(minksum_error* error) {
+minksum_status tell_exception(minksum_error* error) noexcept {
   try {
     throw;
   } catch (const Error& cause) {

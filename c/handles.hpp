@@ -6,7 +6,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
-#include <string>
+#include <string_view>
 #include <utility>
 
 #include "minksum/io.hpp"
@@ -43,10 +43,10 @@ inline void require(bool good, const char* what) {
 }
 
 /// Fills `error`, which may be null, and returns `status`.
-minksum_status tell(minksum_error* error, minksum_status status, const std::string& message,
-                    const Error* cause = nullptr);
+minksum_status tell(minksum_error* error, minksum_status status, std::string_view message,
+                    const Error* cause = nullptr) noexcept;
 /// Does the same for the exception being handled, and returns its status.
-minksum_status tell_exception(minksum_error* error);
+minksum_status tell_exception(minksum_error* error) noexcept;
 
 /// Runs `work`, and turns any exception into an error. Returns the status.
 template <class Work>

@@ -1,4 +1,6 @@
 // Implements the C interface for placing parts and for robots.
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <span>
@@ -68,7 +70,18 @@ minksum_status minksum_contacts(const minksum_geometry* no_fit, const double* xy
     of_results.regularize = false;
     const PointLocator area({placements.region, {}, {}}, of_results);
     const PointLocator tight({{}, placements.polylines, placements.points}, of_results);
+    std::fill_n(contacts, n, 0);
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      if (std::isfinite(xy[i])) continue;
+      Culprit culprit;
+      culprit.vertex = i / 2;
+      throw Error(ErrorCode::kBadInput, "a placement is not finite", culprit);
+    }
     for (std::size_t i = 0; i < n; ++i) {
+      if (i % 256 == 0 && of_results.progress && !of_results.progress({Stage::kSearch})) {
+        std::fill_n(contacts, i, 0);
+        throw Error(ErrorCode::kCancelled, "cancelled", {}, to_string(Stage::kSearch));
+      }
       const Point at{xy[2 * i], xy[2 * i + 1]};
       const Location place = area.locate(at);
       const bool touching =

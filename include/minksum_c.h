@@ -6,7 +6,8 @@
  *     NULL. On failure the results are NULL or 0, and nothing has to be freed.
  *   - A `minksum_geometry **` among the last arguments receives a new geometry. Free it with
  *     minksum_geometry_free. It is overwritten in any case: keep the pointer to an argument.
- *   - Options may be NULL, which means the defaults. minksum_options_init makes others.
+ *   - Options may be NULL, which means the defaults. To set one, call minksum_options_init first:
+ *     a struct of zeros is not the defaults. It asks for all cores and drops tight places.
  *   - Coordinates in arrays are doubles, x and y of each point in turn. A double means exactly
  *     itself. To read exact results, write them as text (minksum_write with MINKSUM_EXACT).
  *   - A geometry never changes once it is made, except by the functions that add to it. Any number
@@ -493,7 +494,8 @@ typedef enum minksum_contact {
   MINKSUM_OVERLAPPING /**< their interiors meet */
 } minksum_contact;
 /** Finds out how the parts stand to each other at n placements of the reference point. `contacts`
- * receives a minksum_contact for each. `no_fit` is their no-fit polygon with tight places. */
+ * receives a minksum_contact for each. `no_fit` is their no-fit polygon with tight places. For a
+ * placement that is not finite, the error has its index as vertex. */
 MINKSUM_API minksum_status minksum_contacts(const minksum_geometry *no_fit, const double *xy,
                                             size_t n, int *contacts,
                                             const minksum_options *options, minksum_error *error);

@@ -68,6 +68,19 @@ static void test_reading(void) {
   EXPECT(is(out, "POINT (3 4)"));
   how.column = "c";
   EXPECT(minksum_read_as(table, strlen(table), &how, &out, &error) == MINKSUM_BAD_INPUT);
+  {
+    /* A text that is too long for an error ends with a whole character. */
+    char name[1024] = "";
+    size_t i = 0;
+    for (i = 0; i < 340; ++i) memcpy(name + 3 * i, "\xE2\x8A\x95", 4);
+    how.column = name;
+    for (i = 0; i < 3; ++i, ++how.column) {
+      EXPECT(minksum_read_as(table, strlen(table), &how, &out, &error) == MINKSUM_BAD_INPUT);
+      EXPECT(strcmp(error.message + strlen(error.message) - 3, "\xE2\x8A\x95") == 0);
+      memcpy(name, "xxx", 3);
+    }
+    how.column = "c";
+  }
   how.layer = "cut";
   EXPECT(minksum_read_as(drawing, strlen(drawing), &how, &out, &error) == MINKSUM_OK);
   EXPECT(is(out, "LINESTRING (0 0, 5 6)"));
@@ -135,15 +148,22 @@ static void test_details(void) {
   minksum_geometry_free(crossed);
 }
 
+static int stop_searching(void *context, minksum_stage stage, size_t done, size_t parts) {
+  (void)context, (void)done, (void)parts;
+  return stage == MINKSUM_STAGE_SEARCH;
+}
+
 static void test_placements(void) {
   const double reference[] = {0, 0};
   const double places[] = {3, 3, 3.5, 3, 20, 20, 9, 1};
+  const double not_finite[] = {0, 0, 0, INFINITY};
   minksum_geometry *a = read("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 3 5, 5 5, 5 3, 3 3))");
   minksum_geometry *b = read("POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
   minksum_geometry *point = read("POINT (0 0)");
   minksum_geometry *nothing = read("POLYGON EMPTY");
   minksum_geometry *third = read("POLYGON ((0 0, 1/3 0, 0 1/3, 0 0))");
   minksum_geometry *out = NULL;
+  minksum_options options;
   int contacts[4];
   EXPECT(minksum_no_fit_polygon(a, b, reference, NULL, &out, &error) == MINKSUM_OK);
   EXPECT(minksum_contacts(out, places, 4, contacts, NULL, &error) == MINKSUM_OK);
@@ -151,6 +171,12 @@ static void test_placements(void) {
   EXPECT(contacts[2] == MINKSUM_FREE && contacts[3] == MINKSUM_TOUCHING);
   EXPECT(minksum_contacts(out, NULL, 4, contacts, NULL, &error) == MINKSUM_BAD_INPUT);
   EXPECT(minksum_contacts(out, NULL, 0, NULL, NULL, &error) == MINKSUM_OK);
+  EXPECT(minksum_contacts(out, not_finite, 2, contacts, NULL, &error) == MINKSUM_BAD_INPUT);
+  EXPECT(error.vertex == 1);
+  minksum_options_init(&options);
+  options.progress = stop_searching;
+  EXPECT(minksum_contacts(out, places, 4, contacts, &options, &error) == MINKSUM_CANCELLED);
+  EXPECT(contacts[0] == 0 && contacts[3] == 0);
   minksum_geometry_free(out);
   EXPECT(minksum_depth_vector(b, third, NULL, &out, &error) == MINKSUM_OK);
   EXPECT(is(out, "POINT (-1/6 -1/6)"));
