@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "minksum/export.h"
 #include "minksum/geometry.hpp"
@@ -23,7 +24,18 @@ namespace minksum {
 [[nodiscard]] MINKSUM_API Geometry unite(std::span<const Geometry> geometries,
                                          const Options& options = {});
 
-/// Returns the union of regions. Here and below, the result is valid and canonical (see Region). It
+/// Returns the union of two geometries, as above.
+[[nodiscard]] inline Geometry unite(const Geometry& a, const Geometry& b,
+                                    const Options& options = {}) {
+  const Geometry both[] = {a, b};
+  return unite(std::span<const Geometry>(both), options);
+}
+/// Returns the union of any number of regions: the area of what `unite` of geometries returns.
+[[nodiscard]] inline Region unite(std::span<const Region> regions, const Options& options = {}) {
+  const std::vector<Geometry> all(regions.begin(), regions.end());
+  return unite(std::span<const Geometry>(all), options).region;
+}
+/// Returns the union of two regions. Here and below, the result is valid and canonical (see Region). It
 /// is the closure of what has area, so it has no thin parts.
 [[nodiscard]] MINKSUM_API Region unite(const Region& a, const Region& b,
                                        const Options& options = {});

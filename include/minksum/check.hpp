@@ -17,7 +17,7 @@ struct CheckOptions {
   /// How far the result may deviate in x and in y, not negative. Each of its points must have a
   /// point of the sum within that distance, and each point of the sum one of the result. If it is
   /// 0, both sets must be equal.
-  Rational within;
+  Rational within = {};
   /// Random points that are tested besides those near the result's edges. As many more are tested
   /// where a hole of one operand has room for a part of the other.
   std::uint64_t samples = 1000;

@@ -45,6 +45,8 @@ struct Culprit {
   std::size_t polygon = kNone;  ///< index of the polygon in its region
   std::size_t ring = kNone;     ///< index of the ring in its polygon: 0 = outer, 1.. = holes
   std::size_t vertex = kNone;   ///< index of the vertex in its ring
+  /// Tells whether both name the same place.
+  friend bool operator==(const Culprit&, const Culprit&) = default;
 };
 
 /// The limit that was exceeded, where the caller can do something about it.

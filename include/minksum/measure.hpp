@@ -13,6 +13,8 @@ namespace minksum {
 struct Box {
   Point min;  ///< the lower left corner
   Point max;  ///< the upper right corner
+  /// Tells whether both have the same corners.
+  friend bool operator==(const Box&, const Box&) = default;
 };
 
 // Of the options, these functions use `cancel` and `progress`. They throw only Error(kCancelled).

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <optional>
@@ -21,6 +22,8 @@ namespace minksum {
 struct Decimal {
   std::int64_t mantissa = 0;  ///< its digits and its sign
   int exponent = 0;           ///< the power of ten
+  /// Tells whether both are written alike. Equal numbers may differ: 10 and 1e1.
+  friend bool operator==(const Decimal&, const Decimal&) = default;
 };
 
 namespace detail {
@@ -43,7 +46,7 @@ using Widest = std::conditional_t<std::is_signed_v<Number>, std::int64_t, std::u
 /// copies. The type is meant for reading results and for exact operands, not for bulk arithmetic.
 class MINKSUM_API Rational {
  public:
-  Rational();  ///< makes zero
+  Rational() noexcept;  ///< makes zero
   // Inline, each of these would be some hundred bytes of code, and expressions make many
   // temporaries.
   Rational(const Rational& other) noexcept;             ///< copies in O(1)
@@ -115,6 +118,11 @@ class MINKSUM_API Rational {
   friend MINKSUM_API Rational operator*(const Rational& a, const Rational& b);
   /// Returns the exact quotient. Throws Error(kBadInput) if b is 0.
   friend MINKSUM_API Rational operator/(const Rational& a, const Rational& b);
+  Rational& operator+=(const Rational& b) { return *this = *this + b; }  ///< adds b
+  Rational& operator-=(const Rational& b) { return *this = *this - b; }  ///< subtracts b
+  Rational& operator*=(const Rational& b) { return *this = *this * b; }  ///< multiplies by b
+  /// Divides by b. Throws Error(kBadInput) if b is 0.
+  Rational& operator/=(const Rational& b) { return *this = *this / b; }
   /// Returns the number with the other sign.
   friend MINKSUM_API Rational operator-(const Rational& a);
   /// Tells whether both are the same number.
@@ -140,3 +148,14 @@ class MINKSUM_API Rational {
 };
 
 }  // namespace minksum
+
+/// @cond Doxygen does not know this name of std
+/// Hashes a number by the nearest double: numbers beyond the range of doubles share one hash.
+template <>
+struct std::hash<minksum::Rational> {
+  /// Returns the hash.
+  std::size_t operator()(const minksum::Rational& value) const {
+    return std::hash<double>()(value.to_double());
+  }
+};
+/// @endcond

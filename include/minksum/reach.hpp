@@ -8,8 +8,8 @@ namespace minksum {
 
 /// A placement and an angle of a robot, as they are asked for.
 struct Configuration {
-  Point at;          ///< position of the reference point
-  Rational degrees;  ///< angle in degrees, counter-clockwise
+  Point at = {};          ///< position of the reference point
+  Rational degrees = {};  ///< angle in degrees, counter-clockwise
 };
 
 /// What a configuration space depends on, and how finely it is searched.

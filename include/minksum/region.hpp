@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <compare>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -20,10 +21,12 @@ namespace minksum {
 
 /// A point with exact coordinates.
 struct Point {
-  Rational x;  ///< the first coordinate
-  Rational y;  ///< the second coordinate
+  Rational x = {};  ///< the first coordinate
+  Rational y = {};  ///< the second coordinate
   /// Tells whether both points have the same coordinates.
   friend bool operator==(const Point&, const Point&) = default;
+  /// Compares lexicographically: by x, then by y.
+  friend std::strong_ordering operator<=>(const Point&, const Point&) = default;
 };
 
 /// A closed ring. Its last vertex does not repeat the first, and its orientation has no meaning.
@@ -50,35 +53,66 @@ struct EdgeOrigin {
   friend bool operator==(const EdgeOrigin&, const EdgeOrigin&) = default;
 };
 
-/// A half-open range of indices to loop over.
+namespace detail {
+/// The steps of an iterator that knows its place by an index, and returns values.
+template <class Iterator>
+class IndexSteps {
+ public:
+  using difference_type = std::ptrdiff_t;
+  Iterator& operator++() { return *this += 1; }
+  Iterator& operator--() { return *this -= 1; }
+  Iterator operator++(int) {
+    const Iterator before = self();
+    ++index_;
+    return before;
+  }
+  Iterator operator--(int) {
+    const Iterator before = self();
+    --index_;
+    return before;
+  }
+  Iterator& operator+=(difference_type n) {
+    index_ += static_cast<std::size_t>(n);
+    return static_cast<Iterator&>(*this);
+  }
+  Iterator& operator-=(difference_type n) {
+    index_ -= static_cast<std::size_t>(n);
+    return static_cast<Iterator&>(*this);
+  }
+  auto operator[](difference_type n) const { return *(self() + n); }
+  friend Iterator operator+(Iterator at, difference_type n) { return at += n; }
+  friend Iterator operator+(difference_type n, Iterator at) { return at += n; }
+  friend Iterator operator-(Iterator at, difference_type n) { return at -= n; }
+  friend difference_type operator-(const Iterator& a, const Iterator& b) {
+    return static_cast<difference_type>(a.index_ - b.index_);
+  }
+  friend bool operator==(const Iterator& a, const Iterator& b) { return a.index_ == b.index_; }
+  friend std::strong_ordering operator<=>(const Iterator& a, const Iterator& b) {
+    return a.index_ <=> b.index_;
+  }
+
+ protected:
+  IndexSteps() = default;
+  explicit IndexSteps(std::size_t index) : index_(index) {}
+  std::size_t index_ = 0;
+
+ private:
+  const Iterator& self() const { return static_cast<const Iterator&>(*this); }
+};
+}  // namespace detail
+
+/// A half-open range of indices to loop over. It is a view with random access.
 class IndexRange {
  public:
-  /// A forward iterator over the indices.
-  class Iterator {
+  /// A random-access iterator over the indices.
+  class Iterator : public detail::IndexSteps<Iterator> {
    public:
-    using value_type = std::size_t;          ///< the type of an index
-    using difference_type = std::ptrdiff_t;  ///< a type that the standard library needs
+    using value_type = std::size_t;  ///< the type of an index
     Iterator() = default;
     /// Makes an iterator at this index.
-    explicit Iterator(std::size_t index) : index_(index) {}
+    explicit Iterator(std::size_t index) : IndexSteps(index) {}
     /// Returns the index at which the iterator is.
     std::size_t operator*() const { return index_; }
-    /// Moves to the next index.
-    Iterator& operator++() {
-      ++index_;
-      return *this;
-    }
-    /// Moves to the next index. Returns the iterator as it was before.
-    Iterator operator++(int) {
-      const Iterator before = *this;
-      ++index_;
-      return before;
-    }
-    /// Tells whether both are at the same index.
-    bool operator==(const Iterator&) const = default;
-
-   private:
-    std::size_t index_ = 0;
   };
   /// Makes the range from `first` to `last`, without `last`.
   IndexRange(std::size_t first, std::size_t last) : first_(first), last_(last) {}
@@ -88,6 +122,10 @@ class IndexRange {
   [[nodiscard]] Iterator end() const { return Iterator(last_); }
   /// Returns the first index. An empty range has one, too.
   [[nodiscard]] std::size_t front() const { return first_; }
+  /// Returns the last index. The range must not be empty.
+  [[nodiscard]] std::size_t back() const { return last_ - 1; }
+  /// Returns index `i` of the range, which must be below the size.
+  [[nodiscard]] std::size_t operator[](std::size_t i) const { return first_ + i; }
   /// Returns the number of indices.
   [[nodiscard]] std::size_t size() const { return last_ - first_; }
   /// Tells whether there are no indices.
@@ -111,27 +149,15 @@ namespace detail {
 template <class Make>
 class MadeRange {
  public:
-  class Iterator {
+  class Iterator : public IndexSteps<Iterator> {
    public:
     using value_type = std::invoke_result_t<const Make&, std::size_t>;
-    using difference_type = std::ptrdiff_t;
     Iterator() = default;
-    Iterator(const Make& make, std::size_t index) : make_(make), index_(index) {}
-    value_type operator*() const { return make_(index_); }
-    Iterator& operator++() {
-      ++index_;
-      return *this;
-    }
-    Iterator operator++(int) {
-      const Iterator before = *this;
-      ++index_;
-      return before;
-    }
-    bool operator==(const Iterator& other) const { return index_ == other.index_; }
+    Iterator(const Make& make, std::size_t index) : IndexSteps<Iterator>(index), make_(make) {}
+    value_type operator*() const { return make_(this->index_); }
 
    private:
     Make make_{};
-    std::size_t index_ = 0;
   };
   MadeRange(const Make& make, std::size_t first, std::size_t last)
       : make_(make), first_(first), last_(last) {}
@@ -141,6 +167,8 @@ class MadeRange {
   [[nodiscard]] bool empty() const { return first_ == last_; }
   /// Returns element `i`, which must be below the size.
   [[nodiscard]] auto operator[](std::size_t i) const { return make_(first_ + i); }
+  [[nodiscard]] auto front() const { return make_(first_); }
+  [[nodiscard]] auto back() const { return make_(last_ - 1); }
 
  private:
   Make make_;
@@ -160,6 +188,8 @@ struct FlatRegion {
   std::vector<double> coordinates;               ///< x and y of each point in turn
   std::vector<std::int64_t> ring_offsets{0};     ///< indices of points, one more than rings
   std::vector<std::int64_t> polygon_offsets{0};  ///< indices of rings, one more than polygons
+  /// Tells whether all numbers are equal.
+  friend bool operator==(const FlatRegion&, const FlatRegion&) = default;
 };
 
 /// One coordinate as a region stores it: an exact number in compact form.
@@ -230,6 +260,8 @@ class MINKSUM_API Region {
   /// Error(kLimitExceeded) for a coordinate whose numerator or denominator has more than 2 million
   /// bits.
   void add_vertex(const Rational& x, const Rational& y);
+  /// Adds the same from a point.
+  void add_vertex(const Point& point) { add_vertex(point.x, point.y); }
   /// Adds the same from decimals. Throws Error(kLimitExceeded) for an exponent beyond ±500,000,
   /// unless the mantissa is 0.
   void add_vertex(Decimal x, Decimal y);
@@ -386,3 +418,25 @@ inline auto Region::rings() const& {
 }
 
 }  // namespace minksum
+
+/// @cond Doxygen does not know these names of std
+// The ranges are views, and their iterators may outlive them.
+template <>
+inline constexpr bool std::ranges::enable_view<minksum::IndexRange> = true;
+template <>
+inline constexpr bool std::ranges::enable_borrowed_range<minksum::IndexRange> = true;
+template <class Make>
+inline constexpr bool std::ranges::enable_view<minksum::detail::MadeRange<Make>> = true;
+template <class Make>
+inline constexpr bool std::ranges::enable_borrowed_range<minksum::detail::MadeRange<Make>> = true;
+
+/// Hashes a point by its nearest doubles.
+template <>
+struct std::hash<minksum::Point> {
+  /// Returns the hash.
+  std::size_t operator()(const minksum::Point& point) const {
+    const std::hash<minksum::Rational> of;
+    return of(point.x) * 31 + of(point.y);
+  }
+};
+/// @endcond

@@ -76,7 +76,7 @@ const BigInteger& RationalAccess::denominator(const Rational& value) {
   return value.value_ ? value.value_->denominator : one;
 }
 
-Rational::Rational() = default;
+Rational::Rational() noexcept = default;
 Rational::Rational(const Rational& other) noexcept = default;
 Rational::Rational(Rational&& other) noexcept = default;
 Rational& Rational::operator=(const Rational& other) noexcept = default;

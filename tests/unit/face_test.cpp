@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <new>
+#include <ranges>
 #include <sstream>
 #include <string>
+#include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -95,6 +100,64 @@ TEST(Face, ArraysGoInAndOut) {
   EXPECT_EQ(std::ranges::count_if(rings, &RingView::is_hole), 1);
   EXPECT_EQ(std::vector<RingView>(rings.begin(), rings.end()).size(), 3U);
   EXPECT_EQ(holes, (std::vector<bool>{false, true, false}));
+}
+
+TEST(Face, RangesAreViewsWithRandomAccess) {
+  const Region region = kTriangle;
+  const RingView ring(region, 0);
+  const auto check = [](const auto& range) {
+    using Range = std::remove_cvref_t<decltype(range)>;
+    static_assert(std::ranges::random_access_range<Range> && std::ranges::sized_range<Range>);
+    static_assert(std::ranges::view<Range> && std::ranges::borrowed_range<Range>);
+    EXPECT_EQ(range.end() - range.begin(), static_cast<std::ptrdiff_t>(range.size()));
+    EXPECT_EQ(range.begin() + 1 - 1, range.begin());
+    EXPECT_LT(range.begin(), range.end());
+  };
+  check(region.rings());
+  check(region.vertices_of(0));
+  check(ring.points());
+  check(ring.exact_points());
+  std::vector<double> xs;
+  for (const auto& [x, y] : ring.points() | std::views::reverse) xs.push_back(x);
+  EXPECT_EQ(xs, (std::vector<double>{0.5, 2, 0}));
+  const auto top = std::ranges::max_element(ring.points(), {}, &ApproximatePoint::y);
+  EXPECT_EQ((*top).x, 0.5);
+  EXPECT_EQ(region.vertices_of(0).back(), 2U);
+  EXPECT_EQ(region.vertices_of(0)[1], 1U);
+  EXPECT_EQ(ring.points().front(), (ApproximatePoint{0, 0}));
+  EXPECT_EQ(ring.exact_points().back(), (Point{0.5, 1}));
+}
+
+TEST(Face, NumbersAndPointsAreKeysAndCount) {
+  Rational number = 1;
+  number += 2;
+  number *= Rational(1, 3);
+  number -= 0.5;
+  number /= number;
+  EXPECT_EQ(number, 1);
+  EXPECT_LT((Point{1, 2}), (Point{1, Rational(5, 2)}));
+  EXPECT_LT((Point{1, 9}), (Point{2, 0}));
+  std::unordered_map<Point, int> seen;
+  ++seen[{Rational(2, 4), 1}];
+  ++seen[{0.5, 1}];
+  EXPECT_EQ(seen.size(), 1U);
+  EXPECT_EQ(std::hash<Rational>()(Rational(0)), std::hash<Rational>()(-Rational(0)));
+  Region region;
+  region.begin_polygon();
+  region.begin_ring();
+  for (const Point& point : kTriangle.outer) region.add_vertex(point);
+  EXPECT_EQ(region, Region(kTriangle));
+  EXPECT_EQ(bounding_box(region), bounding_box(region));
+  EXPECT_EQ(region.flat(), region.flat());
+  EXPECT_EQ(Affine{.dx = 3}, Affine::translation(3, 0));
+}
+
+TEST(Face, ShapesOfAnyKindAreUnited) {
+  const Region region = kTriangle;
+  const Geometry line({}, {{{5, 5}, {6, 6}}});
+  EXPECT_EQ(unite(std::vector<Region>(3, region)), region);
+  EXPECT_EQ(unite(region, line), Geometry(region, line.polylines));
+  EXPECT_EQ(unite(kTriangle, kTriangle), region);
 }
 
 TEST(Face, FlatArraysThatDoNotFitAreRefused) {
