@@ -87,7 +87,8 @@ class MINKSUM_API Workspace {
                                                const Options& options = {});
 
 /// Computes the same into `result`, reuses its memory and that of `workspace`, and returns errors
-/// instead of throwing them. On failure `result` is empty. `result` may be an operand.
+/// instead of throwing them. What a callback throws passes. On failure `result` is empty.
+/// `result` may be an operand, which is lost then.
 MINKSUM_API Outcome minkowski_sum(const Region& p, const Region& q, const Options& options,
                                   Workspace& workspace, Region& result);
 

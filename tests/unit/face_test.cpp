@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <ranges>
@@ -117,9 +118,9 @@ TEST(Face, RangesAreViewsWithRandomAccess) {
   check(region.vertices_of(0));
   check(ring.points());
   check(ring.exact_points());
-  std::vector<double> xs;
-  for (const auto& [x, y] : ring.points() | std::views::reverse) xs.push_back(x);
-  EXPECT_EQ(xs, (std::vector<double>{0.5, 2, 0}));
+  std::vector<Point> backwards;
+  std::ranges::reverse_copy(ring.exact_points(), std::back_inserter(backwards));
+  EXPECT_EQ(backwards, (std::vector<Point>{{0.5, 1}, {2, 0}, {0, 0}}));
   const auto top = std::ranges::max_element(ring.points(), {}, &ApproximatePoint::y);
   EXPECT_EQ((*top).x, 0.5);
   EXPECT_EQ(region.vertices_of(0).back(), 2U);
@@ -133,7 +134,7 @@ TEST(Face, NumbersAndPointsAreKeysAndCount) {
   number += 2;
   number *= Rational(1, 3);
   number -= 0.5;
-  number /= number;
+  number /= Rational(1, 2);
   EXPECT_EQ(number, 1);
   EXPECT_LT((Point{1, 2}), (Point{1, Rational(5, 2)}));
   EXPECT_LT((Point{1, 9}), (Point{2, 0}));
@@ -206,6 +207,30 @@ TEST(Face, EveryOperationCanBeAttempted) {
   outcome = attempt([] { throw std::bad_alloc(); });
   ASSERT_FALSE(outcome.ok());
   EXPECT_EQ(outcome.error->limit()->name, "memory");
+}
+
+TEST(Face, WhatACallbackThrowsLeavesNoResultBehind) {
+  std::vector<std::array<std::int64_t, 2>> comb;
+  for (std::int64_t i = 0; i < 400; ++i) comb.push_back({i, i % 2 == 0 ? 1 : 99});
+  comb.push_back({400, -1});
+  comb.push_back({-1, -1});
+  const Region region = Region::from_points(comb);
+  Workspace workspace;
+  bool done = false;
+  for (int most = 0; !done; most = 2 * most + 1) {
+    int calls = 0;
+    const Options options{.progress = [&](const Progress&) -> bool {
+      if (calls++ == most) throw 1;
+      return true;
+    }};
+    Region result = kTriangle;
+    try {
+      done = minkowski_sum(region, region, options, workspace, result).ok();
+      EXPECT_FALSE(result.empty());
+    } catch (int) {
+      EXPECT_TRUE(result.empty());
+    }
+  }
 }
 
 TEST(Face, MemoryIsKeptFromCallToCall) {

@@ -289,9 +289,15 @@ Set sum(const P& p, const Q& q, const SumRequest& options) {
 template <class P, class Q, class Set, class Settings>
 Outcome attempt_sum(const P& p, const Q& q, const Settings& settings, Workspace& workspace,
                     Set& result) {
-  const Outcome outcome =
-      attempt([&] { run(p, q, SumRequest(settings), workspace.state(), result); });
-  if (!outcome.ok()) result = Set{};
+  /// Leaves no part of a result behind, whatever ends the call: callbacks may throw anything.
+  struct Keeper {
+    Set* unfinished;
+    ~Keeper() {
+      if (unfinished != nullptr) *unfinished = Set{};
+    }
+  } keeper{&result};
+  Outcome outcome = attempt([&] { run(p, q, SumRequest(settings), workspace.state(), result); });
+  if (outcome.ok()) keeper.unfinished = nullptr;
   return outcome;
 }
 template <class Operand, class Settings>
