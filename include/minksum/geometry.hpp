@@ -30,7 +30,8 @@ struct MINKSUM_API Geometry {
   std::vector<Point> points;        ///< the parts that have neither
 
   Geometry() = default;
-  /// Makes a geometry from a region and thin parts. A region alone converts implicitly.
+  /// Makes a geometry from a region and thin parts. A region alone converts implicitly. A polygon
+  /// needs to be named as one: `offset(Geometry(polygon), 1)`.
   // NOLINTNEXTLINE(google-explicit-constructor)
   Geometry(Region area, std::vector<Polyline> lines = {}, std::vector<Point> alone = {})
       : region(std::move(area)), polylines(std::move(lines)), points(std::move(alone)) {}

@@ -106,8 +106,9 @@ class MINKSUM_API Rational {
   [[nodiscard]] double to_double() const;
   /// Returns "p" or "p/q", in lowest terms.
   [[nodiscard]] std::string to_string() const;
-  /// Returns the nearest decimal with exactly `digits` digits after the point, ties to even. Throws
-  /// Error(kBadInput) if `digits` is negative.
+  /// Returns the nearest decimal with exactly `digits` digits after the point, ties to even. O(n²)
+  /// for n digits, of which there may be any number. Throws Error(kBadInput) if `digits` is
+  /// negative.
   [[nodiscard]] std::string to_decimal(int digits) const;
 
   /// Returns the exact sum.

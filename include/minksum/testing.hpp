@@ -20,7 +20,8 @@ enum class Method {
   kFull,
 };
 
-/// The options of a sum, and settings that users do not need.
+/// The options of a sum, and settings that users do not need. Where this header is included, `{}`
+/// for the options of a sum is ambiguous: write `Options{}`.
 struct SumSettings : Options {
   Method method = Method::kReduced;                ///< the method that computes the sum
   /// the narrowest number type that may decide; a wider one is used where operands need it
