@@ -1,6 +1,7 @@
 // Declares reading and writing of regions and geometries as text. The CMake target is minksum::io.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
@@ -160,6 +161,9 @@ class MINKSUM_API FeatureReader {
   /// Reads a text, which must live as long. Throws as read_geometry does, for what the first
   /// characters tell.
   explicit FeatureReader(std::string_view text, const ReadOptions& options = {});
+  /// Refuses a string that ends with the expression: give it a name first.
+  template <std::same_as<std::string> Text>
+  explicit FeatureReader(Text&& text, const ReadOptions& options = {}) = delete;
   /// Reads a file, or standard input for "-". Throws as read_geometry_file does.
   [[nodiscard]] static FeatureReader from_file(const std::string& path,
                                                const ReadOptions& options = {});

@@ -53,7 +53,9 @@ class MINKSUM_API NoFitPolygon {
   ~NoFitPolygon() = default;
 
   /// Returns the polygon itself.
-  [[nodiscard]] const Geometry& geometry() const { return geometry_; }
+  [[nodiscard]] const Geometry& geometry() const& { return geometry_; }
+  /// Returns the polygon of an object that ends with the expression.
+  [[nodiscard]] Geometry geometry() && { return geometry_; }
   /// Returns how the parts relate if the reference point is placed at t, exactly. O(log² n).
   [[nodiscard]] Contact contact(const Point& t) const;
 

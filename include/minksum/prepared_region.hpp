@@ -27,7 +27,9 @@ class MINKSUM_API PreparedRegion {
   ~PreparedRegion() = default;
 
   /// Returns the operand as it was given.
-  [[nodiscard]] const Region& region() const;
+  [[nodiscard]] const Region& region() const&;
+  /// Returns the operand of an object that ends with the expression.
+  [[nodiscard]] Region region() && { return static_cast<const PreparedRegion&>(*this).region(); }
 
   struct State;
   [[nodiscard]] const State& state() const { return *state_; }

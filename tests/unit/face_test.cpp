@@ -12,6 +12,7 @@
 #include <ranges>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -231,6 +232,20 @@ TEST(Face, WhatACallbackThrowsLeavesNoResultBehind) {
       EXPECT_TRUE(result.empty());
     }
   }
+}
+
+TEST(Face, WhatEndsWithTheExpressionLeavesNoReference) {
+  static_assert(!std::is_constructible_v<io::FeatureReader, std::string>);
+  static_assert(std::is_constructible_v<io::FeatureReader, const std::string&>);
+  static_assert(std::is_constructible_v<io::FeatureReader, const char*>);
+  static_assert(std::is_constructible_v<io::FeatureReader, std::string_view>);
+  static_assert(!std::is_reference_v<decltype(std::declval<NoFitPolygon>().geometry())>);
+  static_assert(!std::is_reference_v<decltype(std::declval<PreparedRegion>().region())>);
+  const Region region = kTriangle;
+  const Region& given = PreparedRegion(region).region();
+  EXPECT_EQ(given, region);
+  const Geometry& polygon = NoFitPolygon(region, region).geometry();
+  EXPECT_EQ(polygon, no_fit_polygon(region, region));
 }
 
 TEST(Face, MemoryIsKeptFromCallToCall) {

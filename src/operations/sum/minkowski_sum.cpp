@@ -333,7 +333,7 @@ PreparedRegion::PreparedRegion(Region region, const Options& options) {
   state_ = std::move(state);
 }
 
-const Region& PreparedRegion::region() const { return state_->region; }
+const Region& PreparedRegion::region() const& { return state_->region; }
 
 // Defines the sum of two kinds of operands, and the form that reuses memory.
 #define MINKSUM_SUM(Set, P, Q, Settings)                                                        \
