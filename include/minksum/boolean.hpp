@@ -35,8 +35,8 @@ namespace minksum {
   const std::vector<Geometry> all(regions.begin(), regions.end());
   return unite(std::span<const Geometry>(all), options).region;
 }
-/// Returns the union of two regions. Here and below, the result is valid and canonical (see Region). It
-/// is the closure of what has area, so it has no thin parts.
+/// Returns the union of two regions. Here and below, the result is valid and canonical (see
+/// Region). It is the closure of what has area, so it has no thin parts.
 [[nodiscard]] MINKSUM_API Region unite(const Region& a, const Region& b,
                                        const Options& options = {});
 /// Returns what lies in both regions.

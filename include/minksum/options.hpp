@@ -80,10 +80,11 @@ struct Options {
   /// `cancel` does. Threads that share parts may call it at the same time. A single sum calls it on
   /// the calling thread alone. What it throws ends the operation and is passed on.
   std::function<bool(const Progress&)> progress = {};
-  /// How many threads an operation may use, the calling one included; 0 or less = one for each core.
-  /// The result does not depend on it. Tables of no-fit polygons and slices of configuration spaces
-  /// share their parts, each of which takes one thread. Every other operation shares the work of
-  /// its sums, from the first step on that takes over some 0.6 ms. Threads end with the call.
+  /// How many threads an operation may use, the calling one included; 0 or less = one for each
+  /// core. The result does not depend on it. Tables of no-fit polygons and slices of configuration
+  /// spaces share their parts, each of which takes one thread. Every other operation shares the
+  /// work of its sums, from the first step on that takes over some 0.6 ms. Threads end with the
+  /// call.
   int threads = 1;
   FillRule fill = FillRule::kAutomatic;  ///< which points the operands' rings enclose
   /// Whether the operands' thin parts are dropped: polylines, points, and parts of rings without
