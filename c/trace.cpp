@@ -40,8 +40,8 @@ minksum_status get_segments(const minksum_trace* trace, std::vector<Trace::Segme
       if (xy != nullptr) put(segment.from, xy);
       if (xy != nullptr) put(segment.to, xy);
       if (flags != nullptr) {
-        *flags++ = static_cast<unsigned char>((segment.edge_of_first ? 1 : 0) |
-                                              (segment.kept ? 2 : 0));
+        *flags++ =
+            static_cast<unsigned char>((segment.edge_of_first ? 1 : 0) | (segment.kept ? 2 : 0));
       }
     }
   });
@@ -79,8 +79,8 @@ minksum_trace_counts minksum_trace_get_counts(const minksum_trace* trace) {
   const Trace& made = trace->value;
   std::size_t loop_vertices = 0;
   for (const Trace::Loop& loop : made.loops) loop_vertices += loop.vertices.size();
-  return {made.convolution.size(), made.nodes.size(),  made.pieces.size(), made.loops.size(),
-          loop_vertices,           made.cover.columns, made.cover.rows,    made.cover.min_x,
+  return {made.convolution.size(), made.nodes.size(),     made.pieces.size(),    made.loops.size(),
+          loop_vertices,           made.cover.columns,    made.cover.rows,       made.cover.min_x,
           made.cover.min_y,        made.cover.cell_width, made.cover.cell_height};
 }
 minksum_status minksum_trace_get_convolution(const minksum_trace* trace, double* xy,
@@ -119,8 +119,8 @@ minksum_status minksum_trace_get_loops(const minksum_trace* trace, double* xy, i
       end += static_cast<std::int64_t>(loop.vertices.size());
       if (offsets != nullptr) *offsets++ = end;
       if (states != nullptr) {
-        *states++ = static_cast<unsigned char>(static_cast<int>(loop.state) |
-                                               (loop.positive ? 4 : 0));
+        *states++ =
+            static_cast<unsigned char>(static_cast<int>(loop.state) | (loop.positive ? 4 : 0));
       }
     }
   });

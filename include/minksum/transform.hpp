@@ -9,11 +9,11 @@ namespace minksum {
 
 /// The affine map (x, y) ↦ (xx·x + xy·y + dx, yx·x + yy·y + dy).
 struct MINKSUM_API Affine {
-  Rational xx = 1;  ///< factor of x in the new x
+  Rational xx = 1;   ///< factor of x in the new x
   Rational xy = {};  ///< factor of y in the new x
   Rational dx = {};  ///< summand of the new x
   Rational yx = {};  ///< factor of x in the new y
-  Rational yy = 1;  ///< factor of y in the new y
+  Rational yy = 1;   ///< factor of y in the new y
   Rational dy = {};  ///< summand of the new y
   /// Tells whether both are the same map.
   friend bool operator==(const Affine&, const Affine&) = default;

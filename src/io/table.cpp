@@ -304,8 +304,8 @@ bool looks_like_table(std::string_view text) {
   const std::string line = in_capitals(first_line(text));
   if (!line.empty() && static_cast<unsigned char>(line[0]) >= 0x80 && !is_utf8(line)) return false;
   const char mark = mark_between(line);
-  const bool may_be_wkt = line.find_first_of("({[<=") != std::string::npos ||
-                          line.find(" EMPTY") != std::string::npos;
+  const bool may_be_wkt =
+      line.find_first_of("({[<=") != std::string::npos || line.find(" EMPTY") != std::string::npos;
   return may_be_wkt ? has_usual_name(line, mark) : mark != '\0' || is_usual_name(line);
 }
 

@@ -31,9 +31,9 @@ constexpr int kBoolean = 1;
 // The drivers that may open an archive. Others would read what minksum reads itself: GeoJSON, whose
 // numbers would become doubles, and DXF, whose arcs would become polylines.
 constexpr std::array<const char*, 15> kArchiveDrivers = {
-    "ESRI Shapefile", "GPKG",    "SQLite",      "FlatGeobuf", "KML",
-    "LIBKML",         "GML",     "GPX",         "OSM",        "MapInfo File",
-    "OpenFileGDB",    "FileGDB", "Parquet",     "Arrow",      nullptr};
+    "ESRI Shapefile", "GPKG",    "SQLite",  "FlatGeobuf", "KML",
+    "LIBKML",         "GML",     "GPX",     "OSM",        "MapInfo File",
+    "OpenFileGDB",    "FileGDB", "Parquet", "Arrow",      nullptr};
 
 /// Keeps GDAL from writing to standard error while it lives.
 class Silence {

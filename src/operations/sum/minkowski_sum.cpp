@@ -289,15 +289,10 @@ Set sum(const P& p, const Q& q, const SumRequest& options) {
 template <class P, class Q, class Set, class Settings>
 Outcome attempt_sum(const P& p, const Q& q, const Settings& settings, Workspace& workspace,
                     Set& result) {
-  /// Leaves no part of a result behind, whatever ends the call: callbacks may throw anything.
-  struct Keeper {
-    Set* unfinished;
-    ~Keeper() {
-      if (unfinished != nullptr) *unfinished = Set{};
-    }
-  } keeper{&result};
+  // No part of a result is left behind, whatever ends the call: callbacks may throw anything.
+  std::unique_ptr<Set, void (*)(Set*)> unfinished(&result, [](Set* set) { *set = Set{}; });
   Outcome outcome = attempt([&] { run(p, q, SumRequest(settings), workspace.state(), result); });
-  if (outcome.ok()) keeper.unfinished = nullptr;
+  if (outcome.ok()) static_cast<void>(unfinished.release());
   return outcome;
 }
 template <class Operand, class Settings>

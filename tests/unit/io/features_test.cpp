@@ -208,13 +208,12 @@ TEST(Features, TablesAsOtherProgramsWriteThem) {
   for (const char* table :
        {",geometry\n0,POINT (1 2)\n", ",geometry,n\n0,POINT (1 2),3\n",
         ";geometry\n0;POINT (1 2)\n", "\tgeometry\tn\n0\tPOINT (1 2)\ta\n",
-        "\n \r\nid,geom\n1,POINT (1 2)\n",
-        "\n\tgeom\n1\tPOINT (1 2)\n", "größe,geom\n1,POINT (1 2)\n", "名,geom\n1,POINT (1 2)\n",
+        "\n \r\nid,geom\n1,POINT (1 2)\n", "\n\tgeom\n1\tPOINT (1 2)\n",
+        "größe,geom\n1,POINT (1 2)\n", "名,geom\n1,POINT (1 2)\n",
         "name,the_geom,area (m2)\na,POINT (1 2),3\n", "ST_AsText(geom)\nPOINT (1 2)\n",
         "id\tst_astext(geom)\n1\tPOINT (1 2)\n", "\"st_astext\"\n\"POINT (1 2)\"\n",
-        "id,geom\n1,NULL\n2,\\N\n3,null\n4,POINT (1 2)\n",
-        "name,geom\nPoint Reyes,POINT (1 2)\n", "name,geom\nPoint,POINT(1 2)\n",
-        "id,geom\n1,MULTIPOINT EMPTY\n2,point(1 2)\n"}) {
+        "id,geom\n1,NULL\n2,\\N\n3,null\n4,POINT (1 2)\n", "name,geom\nPoint Reyes,POINT (1 2)\n",
+        "name,geom\nPoint,POINT(1 2)\n", "id,geom\n1,MULTIPOINT EMPTY\n2,point(1 2)\n"}) {
     EXPECT_EQ(detect_format(table), Format::kTable) << table;
     EXPECT_EQ(read_geometry(table), point) << table;
   }
