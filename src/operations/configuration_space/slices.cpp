@@ -9,6 +9,7 @@
 #include "machine/part_progress.hpp"
 #include "minksum/configuration_space.hpp"
 #include "minksum/prepared_region.hpp"
+#include "minksum/resolve.hpp"
 #include "operations/configuration_space/free_part.hpp"
 #include "operations/sum/fixed_sum.hpp"
 #include "overlay/boolean.hpp"
@@ -76,6 +77,8 @@ Slice make_slice(const ConfigurationSpace::State& state, const Box& boundary, co
     slice.free.region = overlay::subtract(as_region(boundary), slice.obstacles.region, options);
     slice.free.polylines = std::move(tight.polylines);
     slice.free.points = std::move(tight.points);
+    // A polyline may pass through a corner of the area. A resolved one ends there.
+    if (slice.free.has_thin_parts()) slice.free = resolve(slice.free, part_of(options));
   }
   slice.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return slice;

@@ -33,6 +33,8 @@ Geometry eroded(const Region& a, const Geometry& b, const Options& options) {
   result.region = overlay::subtract(as_region(where), outside.sum.region, options);
   result.polylines = std::move(outside.tight.polylines);
   result.points = std::move(outside.tight.points);
+  // A polyline may pass through a corner of the area. A resolved one ends there.
+  if (result.has_thin_parts()) return resolve(result, part_of(options));
   return result;
 }
 
