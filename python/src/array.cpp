@@ -125,8 +125,8 @@ void bind_array(nb::module_& m) {
       .def(
           "__eq__",
           [](const ShapeArray& a, nb::handle other) -> nb::object {
-            ShapeArrayPtr b;
-            if (!nb::try_cast(other, b, false)) return nb::borrow(Py_NotImplemented);
+            ShapeArrayPtr b;  // stays null for None
+            if (!nb::try_cast(other, b, false) || !b) return nb::borrow(Py_NotImplemented);
             if (a.shape != b->shape) return nb::bool_(false);
             for (std::size_t i = 0; i < a.items.size(); ++i) {
               const ShapePtr& x = a.items[i];
@@ -135,7 +135,7 @@ void bind_array(nb::module_& m) {
             }
             return nb::bool_(true);
           },
-          nb::sig("def __eq__(self, other: object) -> bool"))
+          "other"_a.none(), nb::sig("def __eq__(self, other: object) -> bool"))
       .def("__hash__",
            [](const ShapeArray& a) {
              std::size_t hash = a.items.size();

@@ -332,13 +332,11 @@ void bind_geometry(nb::module_& m) {
       .def(
           "__eq__",
           [](const Shape& a, nb::handle other) -> nb::object {
-            ShapePtr b;
-            if (!nb::try_cast(other, b, false)) {
-              return nb::borrow(Py_NotImplemented);
-            }
+            ShapePtr b;  // stays null for None
+            if (!nb::try_cast(other, b, false) || !b) return nb::borrow(Py_NotImplemented);
             return nb::bool_(a.geometry == b->geometry);
           },
-          nb::sig("def __eq__(self, other: object) -> bool"))
+          "other"_a.none(), nb::sig("def __eq__(self, other: object) -> bool"))
       .def("__hash__", hash_of)
       .def("__bool__", [](const Shape& s) { return !s.geometry.empty(); });
   bind_conversions(type);
