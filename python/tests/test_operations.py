@@ -70,6 +70,24 @@ def test_tight_places():
     assert mk.inner_fit_polygon(bin_, key, reference=(0, 0)).geom_type == "LineString"
 
 
+def test_written_no_fit_polygons_keep_their_tight_places():
+    slot = mk.from_wkt("POLYGON ((0 0, 6 0, 6 4, 4 4, 4 1, 2 1, 2 4, 0 4, 0 0))")
+    nfp = mk.no_fit_polygon(slot, mk.box(0, 0, 2, 3))
+    text = "GEOMETRYCOLLECTION (POLYGON ((-2 -3, 6 -3, 6 4, -2 4, -2 -3)), LINESTRING (2 1, 2 4))"
+    assert str(nfp) == text
+    for side in ("nearest", "outside", "inside"):
+        assert nfp.to_wkt(round=side) == text
+        assert mk.from_wkb(nfp.to_wkb(round=side)) == nfp
+    assert mk.from_geojson(nfp.to_geojson()) == nfp
+
+
+def test_comparison_with_none():
+    square = mk.box(0, 0, 1, 1)
+    assert square != None  # noqa: E711
+    assert None not in [square]
+    assert mk.GeometryArray([square]) != None  # noqa: E711
+
+
 def test_tables_are_their_entries():
     parts = [mk.box(0, 0, 2, 1), mk.from_wkt("POLYGON ((0 0, 3 0, 0 1/3, 0 0))")]
     table = mk.NoFitTable(parts)
