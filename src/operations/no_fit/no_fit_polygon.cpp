@@ -45,9 +45,10 @@ Geometry no_fit_polygon(const Geometry& fixed, const Geometry& moving,
 Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
                            const std::optional<Point>& reference, const Options& options) {
   const Point at = reference_of(part, reference);
-  return moved(erode(resolve_area(bin, 0, options), resolve_area(part, 1, options),
-                     with_tight_places(options)),
-               at, options);
+  const Geometry room = resolve_area(bin, 0, options);
+  const Geometry piece = resolve_area(part, 1, options);
+  if (piece.empty()) refuse_operand("a part without area fits everywhere", 1);
+  return moved(erode(room, piece, with_tight_places(options)), at, options);
 }
 
 NoFitPolygon::NoFitPolygon(const Geometry& fixed, const Geometry& moving,
