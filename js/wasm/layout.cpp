@@ -50,6 +50,6 @@ AT(minksum_reach, count, 4);
 AT(minksum_reach, path, 8);
 AT(minksum_reach, exact, 12);
 static_assert(sizeof(minksum_statistics) == 128);
-static_assert(sizeof(minksum_trace_counts) == 56);
+static_assert(sizeof(minksum_trace_counts) == 64);
 AT(minksum_trace_counts, columns, 20);
 AT(minksum_trace_counts, min_x, 32);

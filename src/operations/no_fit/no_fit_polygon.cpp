@@ -47,7 +47,7 @@ Geometry inner_fit_polygon(const Geometry& bin, const Geometry& part,
   const Point at = reference_of(part, reference);
   const Geometry room = resolve_area(bin, 0, options);
   const Geometry piece = resolve_area(part, 1, options);
-  if (piece.empty()) refuse_operand("a part without area fits everywhere", 1);
+  if (piece.empty() && !part.empty()) refuse_operand("a part without area fits everywhere", 1);
   return moved(erode(room, piece, with_tight_places(options)), at, options);
 }
 
