@@ -177,6 +177,7 @@ test("a trace has every stage", () => {
   assert.equal(fate("rejected-by-nesting"), trace.counts.rejectedByNesting);
   assert.equal(fate("rejected-by-collision"), trace.counts.rejectedByCollision);
   assert.equal(trace.cover.covered.length, trace.cover.columns * trace.cover.rows);
+  assert.ok(trace.cover.cellWidth > 0 && trace.cover.cellHeight > 0);
   assert.equal(trace.cover.covered.reduce((n, cell) => n + cell, 0), trace.counts.coveredCells);
   const { length } = mk.convert(trace.result, { as: "flat" }).coords;
   assert.equal(trace.origins.length, length / 2);

@@ -129,6 +129,7 @@ static void test_details(void) {
     EXPECT(offsets[0] == 0 && (size_t)offsets[counts.loops] == counts.loop_vertices);
     EXPECT((flags[0] & 3) <= 2);
     EXPECT(counts.columns * counts.rows <= sizeof flags);
+    EXPECT(counts.columns == 0 || (counts.cell_width > 0 && counts.cell_height > 0));
     EXPECT(minksum_trace_get_cover(trace, flags, &error) == MINKSUM_OK);
     EXPECT(minksum_trace_get_cover(NULL, flags, &error) == MINKSUM_BAD_INPUT);
     EXPECT(minksum_trace_get_counts(NULL).segments == 0);
