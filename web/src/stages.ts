@@ -147,22 +147,21 @@ function coverMarks(view: View, trace: SumTrace): Mark[] {
   if (!cover) return [];
   const covered = new PathText(view);
   const grid = new PathText(view);
-  const { minX, minY, cell, columns, rows } = cover;
+  const { minX, minY, cellWidth, cellHeight, columns, rows } = cover;
+  const x = (column: number) => minX + column * cellWidth;
+  const y = (row: number) => minY + row * cellHeight;
   for (let row = 0; row < rows; ++row) {
     for (let column = 0; column < columns; ++column) {
       if (cover.covered[row * columns + column] !== 1) continue;
       let end = column;
       while (end + 1 < columns && cover.covered[row * columns + end + 1] === 1) ++end;
-      const [x, y, right] = [minX + column * cell, minY + row * cell, minX + (end + 1) * cell];
-      covered.add([x, y, right, y, right, y + cell, x, y + cell]);
+      const [left, right, bottom, top] = [x(column), x(end + 1), y(row), y(row + 1)];
+      covered.add([left, bottom, right, bottom, right, top, left, top]);
       column = end;
     }
   }
-  const [right, top] = [minX + columns * cell, minY + rows * cell];
-  for (let i = 0; i <= columns; ++i)
-    grid.add([minX + i * cell, minY, minX + i * cell, top], 0, 2, false);
-  for (let i = 0; i <= rows; ++i)
-    grid.add([minX, minY + i * cell, right, minY + i * cell], 0, 2, false);
+  for (let i = 0; i <= columns; ++i) grid.add([x(i), minY, x(i), y(rows)], 0, 2, false);
+  for (let i = 0; i <= rows; ++i) grid.add([minX, y(i), x(columns), y(i)], 0, 2, false);
   return [
     { cls: "covered", d: covered.toString() },
     { cls: "cells", d: grid.toString() },
