@@ -32,7 +32,8 @@ namespace minksum {
                                         const Options& options = {});
 
 /// Returns the closing A • B = (A ⊕ B) ⊖ B: the points that no translate of −B covers without
-/// meeting A. It contains A, and closing it again changes nothing. Throws as `erode` does.
+/// meeting A. It contains the area of A, and all of A with tight places. Closing it again changes
+/// nothing. Throws as `erode` does.
 [[nodiscard]] MINKSUM_API Geometry close(const Geometry& a, const Geometry& b,
                                          const Options& options = {});
 
