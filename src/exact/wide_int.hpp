@@ -29,6 +29,20 @@ inline int bit_width(Int128 value) {
 /// Returns a bound on the bits of 10^exponent.
 constexpr int bits_of_ten_to(int exponent) { return (exponent * 10 + 2) / 3; }
 
+/// The powers of ten that fit in 63 bits.
+inline constexpr auto kPowersOfTen = [] {
+  std::array<std::int64_t, 19> powers{1};
+  for (std::size_t k = 1; k < powers.size(); ++k) powers[k] = 10 * powers[k - 1];
+  return powers;
+}();
+/// Returns value · 2^twos · 10^tens, which must fit.
+template <class Integer>
+[[nodiscard]] constexpr Integer scaled(Integer value, int twos, int tens) {
+  constexpr int kMost = static_cast<int>(kPowersOfTen.size()) - 1;
+  for (; tens > kMost; tens -= kMost) value *= kPowersOfTen[kMost];
+  return (value * kPowersOfTen[static_cast<std::size_t>(tens)]) << twos;
+}
+
 /// A two's complement integer of little-endian limbs, which wraps like the built-in unsigned types.
 /// The users of the class prove that values stay within 64·N − 1 bits (see exact/bit_budget.hpp).
 template <std::size_t N>

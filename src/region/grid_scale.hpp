@@ -86,9 +86,8 @@ void for_each_coordinate(const Region& region, Cancellation& cancellation, Visit
 
 template <class Number>
 Number on_grid(Number value, int exp2, int exp10, const Scale& scale) {
-  if (value == 0) return 0;
-  for (int i = scale.exp10; i < exp10; ++i) value *= 10;
-  return value * (Number{1} << (exp2 - scale.exp2));
+  // The exponents of zero are of no matter.
+  return value == 0 ? 0 : scaled(value, exp2 - scale.exp2, exp10 - scale.exp10);
 }
 
 /// Puts the sites on the grid, and their box at the origin. `at(v)` returns a site's place on the

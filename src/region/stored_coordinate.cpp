@@ -69,9 +69,9 @@ bool store_as_binary(const BigInteger& numerator, const BigInteger& denominator,
   return true;
 }
 
-constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                 1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                                 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr std::array<double, 23> kDoublePowersOfTen = {
+    1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr int kLargestPower = 22;
 
 // A double's bits: 52 of its mantissa, then its exponent plus the bias.
@@ -102,8 +102,8 @@ bool nearest_quick(const StoredCoordinate& c, double& result) {
   if (c.exp2 != 0) return false;
   if (exact_mantissa && std::abs(c.exp10) <= kLargestPower) {  // one rounding of exact operands
     const auto mantissa = static_cast<double>(c.payload);
-    result = c.exp10 < 0 ? mantissa / kPowersOfTen[static_cast<std::size_t>(-c.exp10)]
-                         : mantissa * kPowersOfTen[static_cast<std::size_t>(c.exp10)];
+    result = c.exp10 < 0 ? mantissa / kDoublePowersOfTen[static_cast<std::size_t>(-c.exp10)]
+                         : mantissa * kDoublePowersOfTen[static_cast<std::size_t>(c.exp10)];
     return true;
   }
   return false;
@@ -224,7 +224,7 @@ std::strong_ordering RegionAccess::compare(const Region& region, const StoredCoo
     if (!quick) return region.nearest(c);
     const std::uint64_t* digits = region.arrays_.get<Region::kLimbs>().data() + c.payload;
     const double size = about(digits, above) / about(digits + above, c.denominator_limbs) /
-                        kPowersOfTen[static_cast<std::size_t>(-c.exp10)];
+                        kDoublePowersOfTen[static_cast<std::size_t>(-c.exp10)];
     return std::ldexp((c.numerator_limbs & kNegativeLimbs) != 0 ? -size : size, c.exp2);
   };
   const double x = near(a);

@@ -75,9 +75,7 @@ std::optional<StoredCoordinate> short_sum(const StoredCoordinate& a, const Store
     const int twos = c->exp2 - sum.exp2;
     const int tens = c->exp10 - sum.exp10;
     if (twos + bits_of_ten_to(tens) > 62) return std::nullopt;
-    Int128 value = Int128{c->payload} * (Int128{1} << twos);
-    for (int i = 0; i < tens; ++i) value *= 10;
-    whole += value;
+    whole += scaled(Int128{c->payload}, twos, tens);
   }
   sum.payload = static_cast<std::int64_t>(whole);
   if (sum.payload != whole) return std::nullopt;

@@ -22,13 +22,6 @@ double ten_to(int exponent) {
   return exponent < 0 ? 1 / result : result;
 }
 
-/// Returns 2^exp2 · 10^exp10, which must fit.
-Int128 power(int exp2, int exp10) {
-  Int128 value = 1;
-  for (int i = 0; i < exp10; ++i) value *= 10;
-  return value * (Int128{1} << exp2);
-}
-
 /// The grid that both operands share, and the factors that bring their coordinates to it.
 struct CommonGrid {
   bool fits = false;  ///< whether fixed-width arithmetic holds the coordinates
@@ -57,7 +50,7 @@ CommonGrid common_grid(const PreparedOperand& p, const PreparedOperand& q,
         up2 + bits_of_ten_to(up10) + (times == 1 ? 0 : bit_width(Int128{times}));
     const int offset_bits = std::max(bit_width(grid.offset.x), bit_width(grid.offset.y));
     if (factor_bits + std::max(grid.bits, offset_bits) > kMaxGridBits) return common;
-    common.factor[i] = power(up2, up10) * times;
+    common.factor[i] = scaled(Int128{times}, up2, up10);
     common.bits = std::max({common.bits, bit_width(grid.extent.x * common.factor[i]),
                             bit_width(grid.extent.y * common.factor[i])});
   }

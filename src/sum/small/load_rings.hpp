@@ -85,12 +85,23 @@ class RingLoader {
   /// Brings a coordinate to the grid. Returns false if it is not an integer there, or too long.
   [[nodiscard, gnu::always_inline]] bool take(const StoredCoordinate& c, int exp2, int exp10,
                                               Integer& value) const {
+    const int tens = c.exp10 - exp10;
+    const int twos = c.exp2 - exp2;
     value = Integer(c.payload);
+    if constexpr (std::is_same_v<Integer, Int128>) {
+      // A stored number has 63 bits, and so has such a factor. This is most numbers.
+      constexpr int kMostBits = 62;
+      if (c.denominator_limbs == 0 && (tens | twos) >= 0 &&
+          bits_of_ten_to(tens) + twos <= kMostBits) {
+        value *= kPowersOfTen[static_cast<std::size_t>(tens)] << twos;
+        return true;
+      }
+    }
     if constexpr (kWide) {
       if (c.denominator_limbs != 0 && !take_limbs(region_, c, value)) return false;
     }
     // The exponents of zero are of no matter.
-    return value == Integer(0) || scale(c.exp10 - exp10, c.exp2 - exp2, value);
+    return value == Integer(0) || scale(tens, twos, value);
   }
 
   [[nodiscard]] bool take(std::size_t vertex, Vec<Integer>& at) const {
@@ -122,6 +133,10 @@ class RingLoader {
       // Doubles round only places of rings that are too large.
       const Vec<Coordinate> place{static_cast<Coordinate>(at_x - first.x),
                                   static_cast<Coordinate>(at_y - first.y)};
+      if constexpr (!kWide) {
+        // Of most rings that are too wide, the second vertex shows it.
+        if (std::max(std::abs(place.x), std::abs(place.y)) > SmallOperand::kWidest) return false;
+      }
       // The last of equal vertices stays, because the edge to the next vertex has its index.
       if (size != 0 && place == last) --size;
       last = place;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,11 +18,6 @@ inline constexpr int kFarthestBits = 125;
 inline constexpr int kFarthestLongBits = 250;
 
 inline constexpr int kMostTwos = 60;  // a higher power of two is beyond the largest offset, too
-inline constexpr auto kPowersOfTen = [] {
-  std::array<std::int64_t, 19> powers{1};
-  for (std::size_t k = 1; k < powers.size(); ++k) powers[k] = 10 * powers[k - 1];
-  return powers;
-}();
 /// Multiplies by 10^tens · 2^twos. Returns false if the product is too large for an offset.
 inline bool scale(int tens, int twos, std::int64_t& value) {
   if ((tens | twos) == 0) return -kFarthest <= value && value <= kFarthest;
@@ -32,17 +26,10 @@ inline bool scale(int tens, int twos, std::int64_t& value) {
          !__builtin_mul_overflow(value, std::int64_t{1} << twos, &value) && -kFarthest <= value &&
          value <= kFarthest;
 }
-/// Returns value · 10^tens · 2^twos. The caller gets it in registers: in line, it would wait for
-/// halves that were just written.
-[[gnu::noinline]] inline Int128 scaled(int tens, int twos, Int128 value) {
-  constexpr int kFewTens = 18;
-  for (; tens > kFewTens; tens -= kFewTens) value *= kPowersOfTen[kFewTens];
-  return value * kPowersOfTen[static_cast<std::size_t>(tens)] << twos;
-}
 inline bool scale(int tens, int twos, Int128& value) {
   if (value == 0) return true;
   if (bit_width(value) + bits_of_ten_to(tens) + twos > kFarthestBits) return false;
-  if ((tens | twos) != 0) value = scaled(tens, twos, value);
+  value = scaled(value, twos, tens);
   return true;
 }
 
