@@ -21,4 +21,11 @@ namespace minksum {
 [[nodiscard]] MINKSUM_API Geometry resolve(const Geometry& geometry, const Options& options = {},
                                            int operand = -1);
 
+/// Returns the same, but keeps tight places: polylines and points that all lie within the area, as
+/// those of a no-fit polygon do. As parts of the set they would vanish. They are resolved by
+/// themselves instead. If some lie elsewhere, or `options.tight` is false, this is `resolve`.
+/// Complexity and errors are the same.
+[[nodiscard]] MINKSUM_API Geometry resolve_with_tight_places(const Geometry& geometry,
+                                                             const Options& options = {});
+
 }  // namespace minksum

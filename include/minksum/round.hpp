@@ -76,13 +76,21 @@ struct RoundingReport {
 /// `resolve`, where hulls may overlap.
 ///
 /// Throws Error: kBadInput for a region that is not valid, with polygon, ring and vertex; kBadInput
-/// for a number of digits out of range; kLimitExceeded, also if a coordinate or its rounded value is
-/// beyond the range of doubles; kCancelled.
+/// for a number of digits out of range; kLimitExceeded, also if a coordinate or its rounded value
+/// is beyond the range of doubles; kCancelled.
 [[nodiscard]] MINKSUM_API Region round(const Region& region, const RoundOptions& target = {},
                                        const Options& options = {});
 /// Returns the same for a geometry with thin parts.
 [[nodiscard]] MINKSUM_API Geometry round(const Geometry& geometry, const RoundOptions& target = {},
                                          const Options& options = {});
+
+/// Returns the rounded set that a geometry means by `options.fill`, and keeps tight places as
+/// `resolve_with_tight_places` does. These are rounded to the nearest, whatever the side. So one on
+/// the boundary may leave a set that is rounded inwards, by no more than `bound` for kNearest.
+/// Complexity and errors are those of `resolve` and of `round`.
+[[nodiscard]] MINKSUM_API Geometry round_with_tight_places(const Geometry& geometry,
+                                                           const RoundOptions& target = {},
+                                                           const Options& options = {});
 
 /// A rounded set, and what rounding did to it.
 struct Rounded {

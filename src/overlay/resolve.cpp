@@ -2,10 +2,12 @@
 #include "minksum/resolve.hpp"
 
 #include <array>
+#include <utility>
 
 #include "overlay/chains.hpp"
 #include "overlay/resolve_area.hpp"
 #include "overlay/take_holes.hpp"
+#include "overlay/tight_places.hpp"
 #include "validation/fault.hpp"
 
 namespace minksum {
@@ -58,6 +60,13 @@ Geometry resolve(const Geometry& geometry, const Options& options, int operand) 
   if (!options.regularize) thin.add(geometry, cancellation);
   thin.list_chains(chains);
   return overlay::select(chains, {inside_by(options.fill)}, options);
+}
+
+Geometry resolve_with_tight_places(const Geometry& geometry, const Options& options) {
+  Geometry set = resolve(geometry, options);
+  if (!overlay::keeps_tight_places(geometry, set, options)) return set;
+  Geometry tight = resolve(overlay::tight_places_of(geometry), part_of(options));
+  return overlay::with_tight_places(std::move(set), std::move(tight));
 }
 
 }  // namespace minksum

@@ -8,6 +8,7 @@
 
 #include "machine/cancellation.hpp"
 #include "minksum/resolve.hpp"
+#include "overlay/tight_places.hpp"
 #include "region/map_points.hpp"
 #include "rounding/round_region.hpp"
 #include "rounding/thin_sides.hpp"
@@ -141,6 +142,17 @@ Region round(const Region& region, const RoundOptions& target, const Options& op
 
 Geometry round(const Geometry& geometry, const RoundOptions& target, const Options& options) {
   return detailed_round(geometry, target, options).geometry;
+}
+
+Geometry round_with_tight_places(const Geometry& geometry, const RoundOptions& target,
+                                 const Options& options) {
+  const Geometry set = resolve(geometry, options);
+  Geometry result = round(set, target, options);
+  if (!overlay::keeps_tight_places(geometry, set, options)) return result;
+  RoundOptions nearest = target;
+  nearest.side = RoundingSide::kNearest;
+  Geometry tight = round(overlay::tight_places_of(geometry), nearest, options);
+  return overlay::with_tight_places(std::move(result), std::move(tight));
 }
 
 }  // namespace minksum

@@ -216,6 +216,27 @@ TEST(RoundGeometry, PartsMayLieInEachOther) {
   expect_sides_of(exact);
 }
 
+TEST(RoundGeometry, TightPlacesGoToTheNearest) {
+  Geometry no_fit = lines({{point("2", "1"), point("2", "11/3")}}, {point("1/3", "1")});
+  no_fit.region = rectangle(0, 0, 6, 4);
+  const Geometry area(no_fit.region);
+  EXPECT_EQ(resolve(no_fit), area);
+  EXPECT_EQ(resolve_with_tight_places(no_fit), no_fit);
+  Geometry expected = lines({{point("2", "1"), point("2", "4")}}, {point("0", "1")});
+  expected.region = no_fit.region;
+  Options without;
+  without.tight = false;
+  Geometry mixed = no_fit;
+  mixed.points.push_back(point("7", "1/3"));
+  EXPECT_EQ(resolve_with_tight_places(mixed), resolve(mixed));
+  for (const RoundingSide side : kRoundingSides) {
+    EXPECT_EQ(round_with_tight_places(no_fit, to_integers(side)), expected);
+    EXPECT_EQ(round_with_tight_places(no_fit, to_integers(side), without), area);
+    EXPECT_EQ(round_with_tight_places(mixed, to_integers(side)),
+              round(resolve(mixed), to_integers(side)));
+  }
+}
+
 TEST(RoundGeometry, RefusesRegionsThatAreNotValid) {
   Geometry crossed = lines({}, {point("1/3", "9")});
   crossed.region = make_polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
