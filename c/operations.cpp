@@ -139,7 +139,9 @@ minksum_status minksum_round(const Handle* geometry, minksum_side side, int deci
     RoundOptions target;
     target.side = as<RoundingSide>(side);
     if (decimals >= 0) target.decimals = decimals;
-    return minksum::round(value_of(geometry), target, options_of(options));
+    const Geometry& given = value_of(geometry);
+    if (given.has_thin_parts()) return round_with_tight_places(given, target, options_of(options));
+    return minksum::round(given, target, options_of(options));
   });
 }
 minksum_status minksum_transform(const Handle* geometry, const double m[6],

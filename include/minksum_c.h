@@ -308,7 +308,9 @@ MINKSUM_API minksum_status minksum_resolve(const minksum_geometry *geometry,
                                            const minksum_options *options,
                                            minksum_geometry **result, minksum_error *error);
 /** Rounds a geometry so that the result stays valid: to doubles if `decimals` is negative, else to
- * so many digits after the point, at most 4096. Polygons must be valid. */
+ * so many digits after the point, at most 4096. Polygons must be valid. Polylines and points that
+ * all lie within the area, as the tight places of a no-fit polygon do, are rounded by themselves, to
+ * the nearest whatever the side; they are dropped if `tight` of the options is 0. */
 MINKSUM_API minksum_status minksum_round(const minksum_geometry *geometry, minksum_side side,
                                          int decimals, const minksum_options *options,
                                          minksum_geometry **result, minksum_error *error);

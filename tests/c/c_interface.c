@@ -199,7 +199,10 @@ static void test_shapes(void) {
   minksum_geometry *square = read("POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
   minksum_geometry *third = read("POLYGON ((0 0, 1/3 0, 1/3 1/3, 0 1/3, 0 0))");
   minksum_geometry *bow_tie = read("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))");
+  minksum_geometry *no_fit = read("GEOMETRYCOLLECTION (POLYGON ((0 0, 6 0, 6 4, 0 4, 0 0)), "
+                                  "LINESTRING (2 1, 2 11/3))");
   minksum_geometry *out = NULL;
+  minksum_options options;
   minksum_offset_options how;
   minksum_error faults[3];
   size_t count = 0;
@@ -223,6 +226,14 @@ static void test_shapes(void) {
              "MULTIPOLYGON (((0 0, 2 2, 0 4, 0 0)), ((2 2, 4 0, 4 4, 2 2)))");
   EXPECT_WKT(minksum_round(third, MINKSUM_OUTSIDE, 1, NULL, &out, &error),
              "POLYGON ((0 0, 2/5 0, 2/5 2/5, 0 2/5, 0 0))");
+  EXPECT_WKT(minksum_round(no_fit, MINKSUM_OUTSIDE, 0, NULL, &out, &error),
+             "GEOMETRYCOLLECTION (POLYGON ((0 0, 6 0, 6 4, 0 4, 0 0)), LINESTRING (2 1, 2 4))");
+  minksum_options_init(&options);
+  options.tight = 0;
+  EXPECT_WKT(minksum_round(no_fit, MINKSUM_OUTSIDE, 0, &options, &out, &error),
+             "POLYGON ((0 0, 6 0, 6 4, 0 4, 0 0))");
+  EXPECT_WKT(minksum_transform(no_fit, turn, NULL, &out, &error),
+             "GEOMETRYCOLLECTION (POLYGON ((5 0, 5 6, 1 6, 1 0, 5 0)), LINESTRING (4 2, 4/3 2))");
   EXPECT_WKT(minksum_transform(square, turn, NULL, &out, &error),
              "POLYGON ((5 0, 5 2, 3 2, 3 0, 5 0))");
   EXPECT(minksum_validate(bow_tie, NULL, faults, 3, &count, &error) == MINKSUM_OK);
@@ -245,6 +256,7 @@ static void test_shapes(void) {
   minksum_geometry_free(square);
   minksum_geometry_free(third);
   minksum_geometry_free(bow_tie);
+  minksum_geometry_free(no_fit);
 }
 
 static void test_pairs(void) {
