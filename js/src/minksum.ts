@@ -353,10 +353,13 @@ export class Minksum {
     return this.operands.with([a], options, (both) => this.take("minksum_resolve", both, options));
   }
   /** Returns a rounded to doubles or decimals, so that it stays valid. An operand that no operation
-   * made is resolved first. */
+   * made is resolved first. Polylines and points that all lie within the area, as the tight places
+   * of a no-fit polygon do, are rounded by themselves, to the nearest whatever the side. */
   rounded<O extends RoundOptions = {}>(a: Operand, options: O = {} as O): ResultOf<O> {
-    return this.withResolved(a, options, (address) => {
+    return this.withResolved(a, options, (resolved, given) => {
       const side = oneOf(kSides, options.side ?? "nearest", "side");
+      // Resolved as parts of one set, tight places vanish in the area.
+      const address = this.hasThinParts(given) ? given : resolved;
       return this.take("minksum_round", [address, side, options.decimals ?? -1], options);
     });
   }
@@ -533,13 +536,21 @@ export class Minksum {
   private binary<O extends Options>(name: string, a: Operand, b: Operand, options: O): ResultOf<O> {
     return this.operands.with([a, b], options, (both) => this.take(name, both, options));
   }
-  private withResolved<T>(a: Operand, options: Options, work: (address: Address) => T): T {
+  private hasThinParts(geometry: Address): boolean {
+    const { call, results } = this.library;
+    call["minksum_geometry_counts"]!(results, geometry);
+    const { u32 } = this.library;
+    return u32[(results >>> 2) + 3]! + u32[(results >>> 2) + 5]! > 0;
+  }
+  private withResolved<T>(
+    a: Operand, options: Options, work: (resolved: Address, given: Address) => T,
+  ): T {
     const { call, results, error } = this.library;
     return this.operands.with([a], options, ([address]) => {
       const how = this.writeOptions(options);
       const resolved = this.made("minksum_resolve", [address!, how, results, error], 0);
       try {
-        return work(resolved);
+        return work(resolved, address!);
       } finally {
         call["minksum_geometry_free"]!(resolved);
       }

@@ -138,8 +138,8 @@ export interface Options extends ReadOptions, ResultOptions {
   /** drops polylines and points of the operands */
   regularize?: boolean;
   /** whether `erode`, `opening`, `closing`, `slices`, and no-fit and inner-fit polygons keep tight
-   * places, where something fits without play; by default only the latter two do. Sums never have
-   * them: `trace` tells those. */
+   * places, where something fits without play; by default only the latter two do. `rounded`
+   * keeps them unless this is false. Sums never have them: `trace` tells those. */
   tight?: boolean;
   /** segments of a sum above which it is refused, from 1 on */
   maxSegments?: number;

@@ -141,6 +141,19 @@ test("robots go where they can", () => {
   assert.deepEqual(wide, { reachable: false, path: [] });
 });
 
+test("tight places are rounded and moved with their no-fit polygon", () => {
+  const slot = "POLYGON ((0 0, 6 0, 6 4, 4 4, 4 4/3, 2 4/3, 2 4, 0 4, 0 0))";
+  const peg = box(0, 0, 2, 3);
+  const polygon = mk.noFitPolygon(slot, peg, exact);
+  for (const side of ["nearest", "outside", "inside"]) {
+    const byProgram = run(["nfp", file(slot), file(peg), "--round", side, "--coords", "decimal:0"]);
+    assert.equal(mk.rounded(polygon, { decimals: 0, side, ...exact }), wkt(byProgram));
+    assert.match(byProgram, /LINESTRING/);
+  }
+  assert.doesNotMatch(mk.rounded(polygon, { tight: false, ...exact }), /LINESTRING/);
+  assert.match(mk.transform(polygon, [1, 0, 1, 0, 1, 0], exact), /LINESTRING \(3 4\/3, 3 4\)/);
+});
+
 test("sets are combined, rounded, moved and asked", () => {
   const [p, q] = [box(0, 0, 2, 2), box(1, 1, 3, 3)];
   assert.equal(mk.area(mk.union(p, q)), 7);
