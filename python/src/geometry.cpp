@@ -7,7 +7,6 @@
 
 #include <functional>
 #include <minksum/io.hpp>
-#include <minksum/locate.hpp>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -31,37 +30,16 @@ io::Coordinates exact_style() {
   return style;
 }
 
-/// Tells whether thin parts lie within the area: they are tight places of a no-fit polygon then.
-bool has_places_within(const Geometry& geometry, const Options& options) {
-  if (!geometry.has_thin_parts() || geometry.region.empty()) return false;
-  Point at = geometry.polylines.empty() ? geometry.points.front() : geometry.polylines[0][0];
-  if (!geometry.polylines.empty()) {
-    const Point& end = geometry.polylines[0][1];
-    const Rational half(1, 2);
-    at = {(at.x + end.x) * half, (at.y + end.y) * half};
-  }
-  return PointLocator({geometry.region, {}, {}}, options).locate(at) != Location::kOutside;
-}
-
-/// Doubles and decimals are written of a rounded set, so that what is written is valid. As parts of
-/// one set, tight places would vanish in the area. So they are rounded by themselves, to the
-/// nearest places.
+/// Doubles and decimals are written of a rounded set, so that what is written is valid.
 Geometry writable(const Shape& shape, const std::string& side, const Options& options,
                   std::optional<int> decimals = {}) {
   RoundOptions target;
   target.side = side_of(side);
   target.decimals = decimals;
-  if (shape.resolved && has_places_within(shape.geometry, options)) {
-    Geometry result = round(shape.geometry.region, target, options);
-    target.side = RoundingSide::kNearest;
-    Geometry tight =
-        round(Geometry({}, shape.geometry.polylines, shape.geometry.points), target, options);
-    result.polylines = std::move(tight.polylines);
-    result.points = std::move(tight.points);
-    return result;
+  if (shape.resolved && !shape.geometry.has_thin_parts()) {
+    return round(shape.geometry, target, options);
   }
-  if (shape.resolved) return round(shape.geometry, target, options);
-  return round(resolve(shape.geometry, options), target, options);
+  return round_with_tight_places(shape.geometry, target, options);
 }
 
 /// Returns what `make` returns, and lets go of the interpreter's lock if that may take long.

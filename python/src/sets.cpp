@@ -160,7 +160,7 @@ void bind_rounded(nb::module_& m) {
         target.side = side_of(side);
         target.decimals = decimals;
         return apply(call, a, [&](const Geometry& g, const Options& options) {
-          return round(resolve(g, options), target, options);
+          return round_with_tight_places(g, target, options);
         });
       },
       "a"_a.none(), nb::kw_only(), "decimals"_a = nb::none(), "side"_a = "nearest",
@@ -170,7 +170,8 @@ void bind_rounded(nb::module_& m) {
           std::string("decimals: int | None = None, side: str = 'nearest', ") + kOnError)),
       "Return a valid set near the exact one whose coordinates are doubles, or decimals with so "
       "many digits. With side 'outside' the result contains the exact set, and with 'inside' it "
-      "lies within it.");
+      "lies within it. Polylines and points that all lie within the area, as the places without "
+      "play of a no-fit polygon do, are rounded to the nearest, whatever the side.");
 }
 
 void bind_union_all(nb::module_& m) {

@@ -81,6 +81,31 @@ def test_written_no_fit_polygons_keep_their_tight_places():
     assert mk.from_geojson(nfp.to_geojson()) == nfp
 
 
+def test_rounded_no_fit_polygons_keep_their_tight_places(program, tmp_path):
+    slot = "POLYGON ((0 0, 6 0, 6 4, 4 4, 4 4/3, 2 4/3, 2 4, 0 4, 0 0))"
+    peg = "POLYGON ((0 0, 2 0, 2 3, 0 3, 0 0))"
+    nfp = mk.no_fit_polygon(slot, peg)
+    files = [tmp_path / "slot.wkt", tmp_path / "peg.wkt"]
+    for file, text in zip(files, (slot, peg)):
+        file.write_text(text)
+    for side in ("nearest", "outside", "inside"):
+        run = subprocess.run([program, "nfp", *map(str, files), "--round", side, "--coords",
+                              "decimal:0"], capture_output=True, text=True, check=True)
+        expected = mk.from_wkt(run.stdout.strip())
+        assert expected.geom_type == "GeometryCollection"
+        assert mk.rounded(nfp, decimals=0, side=side) == expected
+        assert mk.from_wkt(nfp.to_wkt(decimals=0, round=side)) == expected
+
+
+def test_no_fit_polygons_that_were_read_keep_their_tight_places():
+    fixed = "POLYGON ((0 0, 6 0, 6 4, 4 4, 4 4/3, 2 4/3, 2 4, 0 4, 0 0))"
+    polygon = mk.NoFitPolygon(fixed, mk.box(0, 0, 2, 3)).geometry
+    for read in (mk.from_wkt(str(polygon)), mk.Geometry.from_bytes(polygon.to_bytes())):
+        assert mk.rounded(read) == mk.rounded(polygon) != mk.rounded(mk.resolve(polygon))
+        assert read.to_wkt() == polygon.to_wkt()
+        assert "LINESTRING" in read.to_wkt()
+
+
 def test_comparison_with_none():
     square = mk.box(0, 0, 1, 1)
     assert square != None  # noqa: E711
