@@ -309,14 +309,15 @@ void bind_measures(nb::module_& m) {
         const Affine map = affine_of(matrix);
         Call call;
         return apply(call, a, [&map](const Geometry& g, const Options& options) {
-          return resolve(transform(g, map, options), options);
+          return resolve_with_tight_places(transform(g, map, options), options);
         });
       },
       "a"_a.none(), "matrix"_a,
       nb::sig("def affine_transform(a: GeometryLike, matrix: typing.Sequence[Number]) -> "
               "Geometry | GeometryArray | None"),
       "Return the exact image under (x, y) -> (a x + b y + xoff, d x + e y + yoff); the matrix is "
-      "[a, b, d, e, xoff, yoff], as in shapely.affinity.");
+      "[a, b, d, e, xoff, yoff], as in shapely.affinity. Places without play of a no-fit polygon "
+      "are kept.");
   bind_pairs(m);
 }
 

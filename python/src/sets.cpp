@@ -70,7 +70,7 @@ Geometry area_of_one(const Geometry& a, const Geometry& b, const Options& option
 }
 
 Geometry mirror(const Geometry& a, const Options& options) {
-  return resolve(reflect(a, options), options);
+  return resolve_with_tight_places(reflect(a, options), options);
 }
 
 OffsetOptions offset_shape(nb::handle tolerance, const std::string& side, const std::string& join,

@@ -106,6 +106,17 @@ def test_no_fit_polygons_that_were_read_keep_their_tight_places():
         assert "LINESTRING" in read.to_wkt()
 
 
+def test_moved_no_fit_polygons_keep_their_tight_places():
+    fixed = "POLYGON ((0 0, 6 0, 6 4, 4 4, 4 1, 2 1, 2 4, 0 4, 0 0))"
+    nfp = mk.no_fit_polygon(fixed, mk.box(0, 0, 2, 3))
+    text = "GEOMETRYCOLLECTION (POLYGON ((0 -2, 8 -2, 8 5, 0 5, 0 -2)), LINESTRING (4 2, 4 5))"
+    assert str(mk.translate(nfp, 2, 1)) == text
+    assert mk.translate(mk.translate(nfp, "1/3", 5), "-1/3", -5) == nfp
+    assert mk.rotate(mk.rotate(nfp, 90), 270) == nfp == -(-nfp)
+    assert str(mk.reflect(nfp)).endswith("LINESTRING (-2 -4, -2 -1))")
+    assert str(mk.scale(nfp, 2, 2)).endswith("LINESTRING (4 2, 4 8))")
+
+
 def test_comparison_with_none():
     square = mk.box(0, 0, 1, 1)
     assert square != None  # noqa: E711
