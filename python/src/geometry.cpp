@@ -294,6 +294,11 @@ void bind_geometry(nb::module_& m) {
           },
           "The area as a float. `minksum.area(g, exact=True)` is exact.")
       .def_prop_ro(
+          "bounds", [](nb::handle self) { return bounds_of(self, false); },
+          nb::sig("def bounds(self) -> tuple[float, float, float, float] | None"),
+          "The bounding box (xmin, ymin, xmax, ymax) as floats; None for the empty set. "
+          "`minksum.bounds(g, exact=True)` is exact.")
+      .def_prop_ro(
           "geom_type", [](const Shape& s) { return geometry_type(s.geometry); },
           "The name of the type in GeoJSON and Shapely.")
       .def_prop_ro(

@@ -60,6 +60,8 @@ nb::object area_of(nb::handle a, bool exact) {
       [](double value) { return nb::float_(value); });
 }
 
+}  // namespace
+
 nb::object bounds_of(nb::handle a, bool exact) {
   const auto box_of = [](const Shape& s, const Options& /*options*/) {
     const Geometry& g = s.geometry;
@@ -84,6 +86,8 @@ nb::object bounds_of(nb::handle a, bool exact) {
                                      number(box->max.y)));
   });
 }
+
+namespace {
 
 nb::dict fault_of(const Fault& fault) {
   nb::dict dict;

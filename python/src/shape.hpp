@@ -83,6 +83,10 @@ class Argument {
 /// Returns the set that a geometry means: what its rings enclose, each point once.
 [[nodiscard]] Geometry set_of(const Shape& shape, const Options& options);
 
+/// Returns (xmin, ymin, xmax, ymax) as floats or exactly, and None for the empty set. For an array,
+/// returns an array of these.
+[[nodiscard]] nanobind::object bounds_of(nanobind::handle a, bool exact);
+
 /// Returns the little-endian WKB of a geometry that is rounded to a side, and so stays valid.
 [[nodiscard]] std::string wkb_of(const Shape& shape, const std::string& round, bool include_srid,
                                  const Options& options);

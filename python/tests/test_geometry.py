@@ -23,6 +23,10 @@ def test_numbers_are_exact():
         -huge, 0, huge, Fraction(1, huge))
     assert mk.area(mk.box(np.int64(0), np.float64(0), np.float32(0.5), 2), exact=True) == 1
     assert type(mk.area(mk.box(0, 0, 2, 2), exact=True)) is int
+    assert mk.box(-1, 0, Fraction(1, 3), 2).bounds == (-1.0, 0.0, 1 / 3, 2.0)
+    assert mk.from_wkt("GEOMETRYCOLLECTION (POINT (5 1/2), LINESTRING (1 7, 2 3))").bounds == (
+        1.0, 0.5, 5.0, 7.0)
+    assert mk.from_wkt("POLYGON EMPTY").bounds is None
 
 
 def test_every_form_of_an_operand():
