@@ -101,10 +101,11 @@ namespace detail {
 [[nodiscard]] MINKSUM_API Outcome out_of_memory() noexcept;
 }  // namespace detail
 
+#ifdef __cpp_exceptions
 /// Runs `operation` and returns its Outcome instead of throwing. An Error is returned as it was
 /// thrown, and std::bad_alloc becomes kLimitExceeded with the limit "memory". Other exceptions
-/// pass. An Outcome that `operation` returns is passed on. Every operation of the library can be
-/// called so:
+/// pass. An Outcome that `operation` returns is passed on. Code that is compiled without exceptions
+/// does not have this function. Every operation of the library can be called so:
 ///
 ///     Geometry grown;
 ///     const Outcome outcome = attempt([&] { grown = offset(plate, 1); });
@@ -123,5 +124,6 @@ Outcome attempt(Operation&& operation) {
     return detail::out_of_memory();
   }
 }
+#endif
 
 }  // namespace minksum

@@ -169,17 +169,18 @@ class SharedArrays {
     }
     reallocate(room);
   }
-  /// Throws if the arrays do not fit into the memory that sizes of 32 bits can tell.
-  static void require_bytes([[maybe_unused]] const Counts& room) {
+  /// Returns how many bytes the arrays take. For more than sizes of 32 bits can tell, returns what
+  /// `operator new` refuses: a `throw` here would not compile where exceptions are off.
+  static std::size_t bytes_of(const Counts& room) {
     if constexpr (sizeof(std::size_t) < sizeof(std::uint64_t)) {
       std::uint64_t bytes = 0;
       for (std::size_t k = 0; k < kArrays; ++k) bytes += std::uint64_t{room[k]} * kBytes[k];
-      if (bytes > PTRDIFF_MAX - sizeof(Block) - kArrays * alignof(Block)) throw std::bad_alloc();
+      if (bytes > PTRDIFF_MAX - sizeof(Block) - kArrays * alignof(Block)) return SIZE_MAX;
     }
+    return bytes_before(kArrays, room);
   }
   void reallocate(const Counts& room) {
-    require_bytes(room);
-    void* const memory = ::operator new(bytes_before(kArrays, room));
+    void* const memory = ::operator new(bytes_of(room));
     auto* const block = new (memory) Block{1, {}, room};
     if (block_ != nullptr) {
       block->sizes = block_->sizes;
