@@ -9,6 +9,7 @@
 #include "batch/feature_text.hpp"
 #include "minksum/version.hpp"
 #include "options/typed_operand.hpp"
+#include "options/unused_options.hpp"
 #include "output/json_members.hpp"
 #include "output/line_output.hpp"
 #include "output/output_file.hpp"
@@ -51,6 +52,7 @@ class EachRun {
     }
     text_ = reading(settings.operands[0],
                     [&] { return text_of(settings.operands[0], settings.limits); });
+    mark_taken_by(io::detect_format(text_));
     reader_.emplace(
         reading(settings.operands[0], [&] { return io::FeatureReader(text_, settings_.limits); }));
     choose_format();

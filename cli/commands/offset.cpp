@@ -3,6 +3,7 @@
 #include "commands/subcommands.hpp"
 #include "minksum/resolve.hpp"
 #include "options/operation_options.hpp"
+#include "options/unused_options.hpp"
 #include "output/result_file.hpp"
 #include "pictures/sum_picture.hpp"
 
@@ -10,6 +11,7 @@ namespace minksum::cli {
 namespace {
 
 int run_offset(const OffsetArguments& arguments) {
+  mark_taken(ReadingOption::kTolerance);  // the result takes it, whatever is read
   return run_operation(
       arguments,
       [](const OffsetArguments& mine, const Geometry& a, const Geometry&) {

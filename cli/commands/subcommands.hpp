@@ -11,6 +11,7 @@
 #include "options/command_line.hpp"
 #include "options/limits.hpp"
 #include "options/shared_options.hpp"
+#include "options/unused_options.hpp"
 #include "process/progress.hpp"
 #include "process/telling.hpp"
 
@@ -60,6 +61,8 @@ struct Program {
       convert(*arguments);
       const int code = run(*arguments);
       StatusLine::remove();
+      // Jobs of a batch are not counted here: their files may be of many formats.
+      if constexpr (requires { arguments->limits.drawing; }) note_unused(limits.read);
       tell_cost();
       return code;
     });

@@ -11,6 +11,7 @@
 #include "minksum/configuration_space.hpp"
 #include "minksum/offset.hpp"
 #include "options/typed_numbers.hpp"
+#include "options/unused_options.hpp"
 #include "output/numbers.hpp"
 #include "process/failure.hpp"
 #include "process/telling.hpp"
@@ -144,6 +145,8 @@ std::optional<Geometry> named_shape(const std::string& operand, const io::Drawin
     note(operand + " is taken as a shape; the file of that name is ./" + operand);
   }
   if (name == "box") return box_of(rest);
+  mark_taken(ReadingOption::kTolerance);
+  mark_taken(ReadingOption::kSide);
   if (name == "ngon") return ngon_of(operand, rest, drawing);
   return disc_of(operand, rest, drawing);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "options/typed_operand.hpp"
+#include "options/unused_options.hpp"
 #include "output/faults.hpp"
 #include "pictures/sum_picture.hpp"
 #include "pictures/text_layout.hpp"
@@ -155,9 +156,12 @@ io::Document read_operand(const std::string& file, const io::ReadOptions& limits
     io::Document document;
     if (std::optional<Geometry> shape = named_shape(file, limits.drawing)) {
       document.geometry = std::move(*shape);
+    } else if (is_typed_wkt(file)) {
+      document = io::read_document(file, limits);
     } else {
-      document = is_typed_wkt(file) ? io::read_document(file, limits)
-                                    : io::read_document_file(file, limits);
+      const std::string text = io::load_text(file, limits);
+      mark_taken_by(io::detect_format(text));
+      document = io::read_document(text, limits);
     }
     if (const auto skipped = note_of_skipped(document.source)) {
       note(shown_name(file) + ": " + *skipped);

@@ -2,7 +2,7 @@
 import json
 import math
 
-from support import SQUARE, ProgramTest, main
+from support import SQUARE, ProgramTest, main, run
 
 POINT = "POINT (0 0)"
 
@@ -84,6 +84,29 @@ class TypedOperands(ProgramTest):
                    "--side", "inside")
         self.fails(1, "takes a --tolerance from 2e-12 on", "sum", "ngon:5:1", POINT,
                    "--tolerance", "1e-12")
+
+    def test_options_that_nothing_takes(self):
+        # They were ignored in silence.
+        square = self.file("square.wkt", SQUARE)
+        table = self.file("table.csv", "id,geom\n1,POINT (0 0)\n")
+        drawing = self.file("drawing.svg", '<svg xmlns="http://www.w3.org/2000/svg">'
+                                           '<rect width="1" height="1"/></svg>')
+        pin = self.file("pin.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nA\n10\n0\n20\n0\n11\n1\n"
+                                   "21\n1\n0\nENDSEC\n0\nEOF\n")
+        takes = {"--tolerance 0.1": (drawing, pin), "--side outside": (drawing, pin),
+                 "--layer A": (pin,), "--join-ends 1": (pin,), "--column geom": (table,)}
+        for option, files in takes.items():
+            note = option.split()[0] + " has no effect: nothing that was read is "
+            for file in (square, table, drawing, pin, "box:1x1", SQUARE):
+                for command in (["convert", file], ["convert", file, "--each"],
+                                ["sum", "box:1x1", file], ["info", file]):
+                    result = run(*command, *option.split())
+                    told = result.stderr.decode()
+                    self.assertEqual(result.returncode, 0, told)
+                    self.assertEqual(told.count(note), file not in files, (command, told))
+            self.assertEqual(run("convert", square, *option.split(), "-q").stderr, b"")
+        self.fine("offset", square, "-d1", "--join=miter", "--tolerance", "0.1")
+        self.fine("sum", "disc:1", POINT, "--tolerance", "0.1", note="disc:1: a polygon of")
 
     def test_a_file_of_such_a_name(self):
         self.file("box:1x1", SQUARE)
