@@ -171,8 +171,10 @@ int run_no_fit(const NoFitArguments& arguments) {
     reference = described_reference(mine, moving);
     if (!mine.placements.empty()) return write_contacts(mine, fixed, moving);
     const Geometry polygon = fit_polygon(mine, fixed, moving);
-    write_geometry(files, mine,
-                   made_for(mine.output, [&] { return rounded_fit_polygon(mine, polygon); }));
+    const Geometry written =
+        made_for(mine.output, [&] { return rounded_fit_polygon(mine, polygon); });
+    note_lost_parts(polygon, written, mine.rounding);
+    write_geometry(files, mine, written);
     if (!mine.picture.empty()) draw(mine, fixed, moving, polygon, files);
     fits = !polygon.empty();
   });

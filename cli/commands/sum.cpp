@@ -93,9 +93,11 @@ void round_result(const SumArguments& arguments, SumRun& run) {
   });
   run.rounded = std::move(rounded.geometry);
   run.rounding = rounded.report;
+  note_lost_parts(run.exact, run.rounded, target.side);
   target.side = RoundingSide::kNearest;
   if (run.tight) {
     run.rounded_tight = made_for(arguments.tight, [&] { return round(*run.tight, target); });
+    note_lost_parts(*run.tight, run.rounded_tight, target.side);
   }
   run.seconds.round = watch.seconds();
 }

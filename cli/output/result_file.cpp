@@ -81,14 +81,32 @@ Geometry rounded(const Geometry& geometry, const ResultArguments& arguments) {
                {.cancel = arguments.cancel, .progress = arguments.progress});
 }
 
+void note_lost_parts(const Geometry& exact, const Geometry& written, RoundingSide side) {
+  if (side == RoundingSide::kOutside) return;  // it contains all parts, even if some become one
+  std::string lost;
+  const auto count = [&lost](std::size_t before, std::size_t after, const char* what) {
+    if (after >= before) return;
+    if (!lost.empty()) lost += ", ";
+    lost += std::to_string(before - after) + " of " + std::to_string(before) + ' ' + what;
+  };
+  count(exact.region.polygon_count(), written.region.polygon_count(), "polygons");
+  count(exact.region.hole_count(), written.region.hole_count(), "holes");
+  count(exact.polylines.size(), written.polylines.size(), "polylines");
+  count(exact.points.size(), written.points.size(), "points");
+  if (lost.empty()) return;
+  note("rounding loses " + lost +
+       ", which vanish or become one with others (--coords exact keeps all)");
+}
+
 void write_geometry(OutputFiles& files, const ResultArguments& arguments,
                     const Geometry& geometry) {
   write_geometry(files, arguments.output, geometry, arguments.format, arguments.coordinates);
 }
 
 void write_rounded(OutputFiles& files, const ResultArguments& arguments, const Geometry& geometry) {
-  write_geometry(files, arguments,
-                 made_for(arguments.output, [&] { return rounded(geometry, arguments); }));
+  const Geometry written = made_for(arguments.output, [&] { return rounded(geometry, arguments); });
+  note_lost_parts(geometry, written, arguments.rounding);
+  write_geometry(files, arguments, written);
 }
 
 }  // namespace minksum::cli

@@ -32,6 +32,9 @@ void write_geometry(OutputFiles& files, const std::string& file, const Geometry&
 /// Returns the geometry as it is to be written: rounded, or unchanged for exact coordinates. The
 /// geometry must be resolved.
 [[nodiscard]] Geometry rounded(const Geometry& geometry, const ResultArguments& arguments);
+/// Tells, as a note, how many parts of a geometry are not left in what is written of it, which is
+/// rounded to this side.
+void note_lost_parts(const Geometry& exact, const Geometry& written, RoundingSide side);
 /// Writes the geometry to the file and in the format that the arguments name.
 void write_geometry(OutputFiles& files, const ResultArguments& arguments, const Geometry& geometry);
 /// Rounds the geometry, and writes it in the same way.

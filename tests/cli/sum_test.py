@@ -235,10 +235,32 @@ class Geometries(ProgramTest):
             shape = self.file("shape.wkt", exact)
             for side, expected in (("outside", outside), ("inside", inside)):
                 stats = json.loads(self.fine("sum", shape, origin, "--round", side, "--coords",
-                                             "decimal:0", "-o", out, "--stats", "-"))["rounding"]
+                                             "decimal:0", "-o", out, "--stats", "-",
+                                             "-q"))["rounding"]
                 self.assertEqual(out.read_text(), expected)
                 self.assertEqual(stats["exact"], outside == inside)
                 self.assertLessEqual(stats["largest_move"], stats["bound"])
+
+    def test_parts_that_rounding_loses(self):
+        # They vanished in silence.
+        grains = ("MULTIPOLYGON (((0 0, 10 0, 10 10, 0 0), (6 2, 6.1 2, 6 2.1, 6 2)), "
+                  "((20 20, 20.1 20, 20 20.1, 20 20)), ((30 30, 30.1 30, 30 30.1, 30 30)))")
+        origin = "POINT (0 0)"
+        told = "minksum: rounding loses 2 of 3 polygons, "
+        for command in (["convert", grains], ["sum", grains, origin], ["union", grains, grains]):
+            self.assertEqual(self.fine(*command, "--coords", "decimal:0",
+                                       note=told + "1 of 1 holes, which vanish or become one"),
+                             "POLYGON ((0 0, 10 0, 10 10, 0 0))\n")
+            self.fine(*command, "--coords", "decimal:0", "--round", "inside", note=told + "which")
+            self.assertIn("0.1", self.fine(*command))
+            self.fine(*command, "--coords", "decimal:0", "--round", "outside")
+        self.assertEqual(self.fine("convert", "MULTIPOINT (0 0, 0.1 0.1, 5 5)", "--coords",
+                                   "decimal:0", note="rounding loses 1 of 3 points,"),
+                         "MULTIPOINT ((0 0), (5 5))\n")
+        grain = "POLYGON ((0 0, 0.1 0, 0 0.1, 0 0))"
+        result = run("nfp", grain, grain, "--coords", "decimal:0")
+        self.assertEqual(result.stdout, b"POLYGON EMPTY\n")
+        self.assertIn(b"rounding loses 1 of 1 polygons,", result.stderr)
 
     def test_properties(self):
         geometry = '"geometry":{"type":"Point","coordinates":[1,2]}'
