@@ -1,4 +1,5 @@
 // minksum nfp and ifp: tell where a part can be placed.
+#include <array>
 #include <memory>
 #include <mutex>
 #include <ostream>
@@ -52,6 +53,25 @@ void write_contacts(const NoFitArguments& arguments, const Geometry& fixed,
   write_standard_output([&](std::ostream& out) {
     for (const char* const answer : answers) out << answer << '\n';
   });
+}
+
+// No area is left of a shape of polylines and points, so its no-fit polygon is empty. That would
+// say that such a part may lie anywhere.
+void require_areas(const NoFitArguments& arguments, const Geometry& fixed, const Geometry& moving) {
+  Options reading = arguments.options;
+  reading.regularize = true;
+  const Geometry* const shapes[] = {&fixed, &moving};
+  for (int i = 0; i < 2; ++i) {
+    if (shapes[i]->empty() || !resolve(*shapes[i], reading, i).region.empty()) continue;
+    throw Error(ErrorCode::kBadInput,
+                "a part without area has no no-fit polygon; give its lines and points a width "
+                "first (minksum offset)",
+                {.operand = i});
+  }
+}
+
+void note_thin_parts(const std::string& file) {
+  note(shown_name(file) + ": polylines and points are left out; areas alone count");
 }
 
 // Returns the point at which a plate of this shape balances.
@@ -109,9 +129,11 @@ std::optional<Point> reference_of(const NoFitArguments& arguments, const Geometr
 
 Geometry fit_polygon(const NoFitArguments& arguments, const Geometry& fixed,
                      const Geometry& moving) {
-  return arguments.inner_fit
-             ? inner_fit_polygon(fixed, moving, reference_of(arguments, moving), arguments.options)
-             : no_fit_polygon(fixed, moving, reference_of(arguments, moving), arguments.options);
+  const auto reference = reference_of(arguments, moving);
+  if (arguments.inner_fit) return inner_fit_polygon(fixed, moving, reference, arguments.options);
+  Geometry polygon = no_fit_polygon(fixed, moving, reference, arguments.options);
+  if (polygon.empty()) require_areas(arguments, fixed, moving);
+  return polygon;
 }
 
 Geometry rounded_fit_polygon(const NoFitArguments& arguments, const Geometry& polygon) {
@@ -138,6 +160,7 @@ Json contacts_json(const std::vector<const char*>& answers, const std::optional<
 std::vector<const char*> contacts(const NoFitArguments& arguments, const Geometry& fixed,
                                   const Geometry& moving) {
   const NoFitPolygon polygon(fixed, moving, reference_of(arguments, moving), arguments.options);
+  if (polygon.geometry().empty()) require_areas(arguments, fixed, moving);
   std::vector<const char*> answers;
   for (const Point& placement : arguments.placements) {
     answers.push_back(to_string(polygon.contact(placement)));
@@ -166,9 +189,11 @@ int run_no_fit(const NoFitArguments& arguments) {
   if (arguments.each) return run_each_no_fit(arguments);
   bool fits = true;
   std::string reference;
+  std::array<bool, 2> thin{};
   run_on_operands(arguments, [&](const NoFitArguments& mine, const Geometry& fixed,
                                  const Geometry& moving, OutputFiles& files) {
     reference = described_reference(mine, moving);
+    thin = {fixed.has_thin_parts(), moving.has_thin_parts()};
     if (!mine.placements.empty()) return write_contacts(mine, fixed, moving);
     const Geometry polygon = fit_polygon(mine, fixed, moving);
     const Geometry written =
@@ -179,6 +204,9 @@ int run_no_fit(const NoFitArguments& arguments) {
     fits = !polygon.empty();
   });
   note(reference);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    if (thin[i]) note_thin_parts(arguments.operands[i]);
+  }
   if (arguments.inner_fit && !fits) {
     note("the part (" + shown_name(arguments.operands[1]) + ") does not fit into the bin (" +
          shown_name(arguments.operands[0]) + ")");

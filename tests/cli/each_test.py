@@ -68,7 +68,7 @@ class Each(ProgramTest):
     def test_each_feature_by_itself(self):
         for command in (["sum", "box:1x2"], ["dilate", "ngon:4:1"], ["erode", "box:1x1"],
                         ["open", "box:1x1"], ["close", "box:1x1"], ["offset", "-d", "0.5"],
-                        ["nfp", "box:1x1"], ["ifp", "box:1x1"], ["union", "box:1x1"],
+                        ["ifp", "box:1x1"], ["union", "box:1x1"],
                         ["intersection", "box:1x1", "--regularize"],
                         ["difference", "box:1x1", "--regularize"],
                         ["symdiff", "box:1x1", "--regularize"], ["reflect"], ["convert"],
@@ -118,6 +118,12 @@ class Each(ProgramTest):
             self.assertIn("1 of 3 features failed", told)
             text = (self.folder / "out.wkt").read_text() if more else done.stdout.decode()
             self.assertEqual(text.count("\n"), 2)
+
+    def test_a_feature_without_area_has_no_no_fit_polygon(self):
+        done = run("nfp", self.mixed, "box:1x1", "--each", "--format", "wkt", "-q")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("mixed.geojson: feature 3: a part without area", done.stderr.decode())
+        self.assertEqual(done.stdout.count(b"\n"), 2)
 
     def test_features_before_a_malformed_one_have_results(self):
         texts = [f"POINT ({i} 1)\n" for i in range(40)] + ["POINT (1 x)\n", "POINT (1 1)\n"]

@@ -132,6 +132,27 @@ class Nesting(ProgramTest):
         self.fails(1, "(did you mean 'centroid'?)", "nfp", self.square, part, "--reference",
                    "centriod")
 
+    def test_parts_without_area(self):
+        # Their no-fit polygons were empty, and all placements free.
+        flat = "POLYGON ((0 0, 4 0, 4 0, 0 0))"
+        for thin in ("LINESTRING (0 0, 4 0)", "POINT (1 1)", flat):
+            for pair in ((self.square, thin), (thin, self.square), (thin, thin)):
+                for asked in ([], ["--at", "1,1"]):
+                    result = run("nfp", *pair, "--reference", "0,0", "-q", *asked)
+                    self.assertEqual((result.returncode, result.stdout), (2, b""))
+                    self.assertIn(b"a part without area has no no-fit polygon; give its lines and "
+                                  b"points a width first (minksum offset)", result.stderr)
+        self.assertEqual(self.fine("nfp", EMPTY, self.square, "-q"), EMPTY + "\n")
+        self.assertEqual(self.fine("nfp", self.square, EMPTY, "-q", "--reference", "0,0"),
+                         EMPTY + "\n")
+        tail = f"GEOMETRYCOLLECTION ({SQUARE}, LINESTRING (2 1, 9 1))"
+        for command in ("nfp", "ifp"):
+            for pair in ((self.square, tail), (tail, self.square)):
+                told = run(command, *pair).stderr.decode()
+                self.assertEqual(told.count("polylines and points are left out"), 1, told)
+            self.assertEqual(self.fine(command, self.square, tail, "-q"),
+                             self.fine(command, self.square, self.square, "-q"))
+
     def test_tight_places(self):
         nfp = self.fine("nfp", "-q", self.slit, self.square)
         self.assertIn("LINESTRING (2 1, 2 4)", nfp)
