@@ -16,8 +16,8 @@ namespace minksum::io {
 
 /// The words that begin a text in WKT, in capitals.
 inline constexpr std::array<std::string_view, 8> kWktTypes = {
-    "POINT",           "LINESTRING",   "POLYGON",            "MULTIPOINT",
-    "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "LINEARRING"};
+    "POINT",        "LINESTRING",         "POLYGON",   "MULTIPOINT", "MULTILINESTRING",
+    "MULTIPOLYGON", "GEOMETRYCOLLECTION", "LINEARRING"};
 
 // Readers of a whole text, which is one feature.
 void read_poly(std::string_view text, const ReadOptions& options, GeometryBuilder& builder);
@@ -53,6 +53,9 @@ struct OtherFormat {
 /// Returns the format if the text begins as files of such a format. The text may be just the
 /// beginning of one.
 [[nodiscard]] std::optional<OtherFormat> find_other_format(std::string_view text);
+/// Returns why JSON is not read that is of this type, or that has no type and a member of this
+/// name; "" if that is not known.
+[[nodiscard]] std::string refusal_of_json(std::string_view word);
 /// Throws a ReadError that names the format.
 [[noreturn]] void refuse(const OtherFormat& format, bool is_file);
 

@@ -130,6 +130,7 @@ class GeoJsonSource : public FeatureSource {
     std::string_view id;
     bool first = true;  // no member has been read
     bool content_read = false;
+    std::string other;  // names another format that has such members
   };
 
   // If "type" comes first, the content is read where it stands. Otherwise the reader goes back for
@@ -155,7 +156,9 @@ class GeoJsonSource : public FeatureSource {
   // true if it stops at features.
   bool finish(Members& found, Expected expected) {
     const std::size_t end = json_.text().position();
-    if (!found.type) fail_at(found.start, "an object has no member \"type\"");
+    if (!found.type) {
+      fail_at(found.start, found.other.empty() ? "an object has no member \"type\"" : found.other);
+    }
     check_type(found, expected);
     if (*found.type == "Feature") {
       properties_ = found.properties;
@@ -195,6 +198,7 @@ class GeoJsonSource : public FeatureSource {
       found.content_read = true;
       return false;
     }
+    if (!found.type && found.other.empty()) found.other = refusal_of_json(name);
     json_.skip_value();
     const std::string_view value =
         json_.text().text().substr(start, json_.text().position() - start);
@@ -240,7 +244,8 @@ class GeoJsonSource : public FeatureSource {
       if (builder_.rules() == Rules::kGeometry) return;
       fail_at(members.type_at, "a region needs polygons: " + type + " has no area");
     }
-    fail_at(members.type_at, "unknown type " + in_quotes(type));
+    const std::string other = refusal_of_json(type);
+    fail_at(members.type_at, other.empty() ? "unknown type " + in_quotes(type) : other);
   }
 
   void read_content(const std::string& type) {

@@ -1,6 +1,7 @@
 // Names formats that are not read, by how files of them begin, and says what to do.
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "io/drawing/xml.hpp"
 #include "io/formats.hpp"
@@ -97,6 +98,44 @@ std::string first_element(TextCursor cursor) {
   return cursor.at_end() ? "" : name;
 }
 
+using Words = std::vector<std::string_view>;
+
+/// Takes the words of the next line that has some. A line that no file of Triangle has is not taken
+/// to its end, because all of a text may be one line.
+Words words_of_next_line(TextCursor& cursor) {
+  constexpr std::size_t kMost = 100;
+  constexpr std::size_t kLongest = 5000;
+  Words words;
+  cursor.skip_space_and_comments();
+  while (!cursor.at_end() && cursor.peek() != '\n' && cursor.peek() != '#') {
+    const std::string_view rest = cursor.rest().substr(0, kLongest);
+    const std::size_t size = std::min(rest.find_first_of(" \t\r\n#"), rest.size());
+    if (size == kLongest || words.size() == kMost) return {};
+    if (size > 0) words.push_back(rest.substr(0, size));
+    cursor.advance(std::max(size, std::size_t{1}));
+  }
+  return words;
+}
+
+// A file of Triangle has a line of four numbers: how many points there are, 2 for the plane, how
+// many attributes a point has, and whether it has a mark. Then each point has a line with its
+// number, x, y, attributes and mark. Without this test, it may be read as `.dat` by chance.
+bool looks_like_triangle(TextCursor cursor) {
+  const Words head = words_of_next_line(cursor);
+  const bool are_counts = std::ranges::all_of(
+      head, [](std::string_view word) { return std::ranges::all_of(word, is_digit); });
+  if (head.size() != 4 || !are_counts || head[1] != "2" || head[2].size() > 1 ||
+      (head[3] != "0" && head[3] != "1")) {
+    return false;
+  }
+  if (head[0] == "0") return true;  // the points are in a file of their own
+  const auto size = static_cast<std::size_t>(3 + (head[2][0] - '0') + (head[3][0] - '0'));
+  const Words first = words_of_next_line(cursor);
+  const Words second = words_of_next_line(cursor);
+  if (first.size() != size || second.size() != size) return false;
+  return (first[0] == "0" && second[0] == "1") || (first[0] == "1" && second[0] == "2");
+}
+
 OtherFormat other(const Other& row) { return {row.name, row.advice, row.advice == kByGdal}; }
 
 }  // namespace
@@ -127,6 +166,12 @@ std::optional<OtherFormat> find_other_format(std::string_view text) {
     if (text.starts_with(row.begin)) return other(row);
   }
   TextCursor cursor(text);
+  if (looks_like_triangle(cursor)) {
+    return OtherFormat{"a file of Triangle (.poly, .node)",
+                       "write its outlines as WKT or GeoJSON, or as .dat: rings, each a count and "
+                       "its points",
+                       false};
+  }
   cursor.skip_space();
   if (cursor.peek() != '<') return {};
   const std::string element = first_element(cursor);
@@ -135,6 +180,19 @@ std::optional<OtherFormat> find_other_format(std::string_view text) {
     if (element == row.begin) return other(row);
   }
   return OtherFormat{"XML of an unknown kind", "SVG, KML, GML and GPX are", false};
+}
+
+std::string refusal_of_json(std::string_view word) {
+  if (word == "Topology") {
+    return "this looks like TopoJSON, which is not read: convert it to GeoJSON, as by ogr2ogr -f "
+           "GeoJSON result.json FILE";
+  }
+  constexpr std::array kEsriMembers = {"rings"sv,        "paths"sv,           "curveRings"sv,
+                                       "curvePaths"sv,   "attributes"sv,      "fieldAliases"sv,
+                                       "geometryType"sv, "spatialReference"sv};
+  if (std::ranges::find(kEsriMembers, word) == kEsriMembers.end()) return {};
+  return "this looks like Esri JSON, which is not read: ask its server for f=geojson, or convert "
+         "it to GeoJSON; ogr2ogr reads sets of features: ogr2ogr -f GeoJSON result.json FILE";
 }
 
 void refuse(const OtherFormat& format, bool is_file) {
