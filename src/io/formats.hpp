@@ -43,6 +43,8 @@ void read_wkt_or_hex_wkb(TextCursor& cursor, const ReadOptions& options, Geometr
 
 /// Tells whether the first line names the columns of a table.
 [[nodiscard]] bool looks_like_table(std::string_view text);
+/// Throws a ReadError if the first line is a row of a table, and no geometry or list of some.
+void refuse_rows_without_names(std::string_view text);
 
 /// A format whose files are not read, or by GDAL alone.
 struct OtherFormat {

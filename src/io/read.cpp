@@ -195,7 +195,9 @@ std::unique_ptr<FeatureSource> open_source(std::string_view text, const ReadOpti
   if (cursor.peek() == '<' && !looks_like_svg(content)) {  // it ends before it says what it is
     refuse({"XML", "it has no element", false}, false);
   }
-  switch (detect_format(content)) {
+  const Format format = detect_format(content);
+  if (format == Format::kWkt || format == Format::kDat) refuse_rows_without_names(content);
+  switch (format) {
     case Format::kGeoJson:
       return geojson_source(content, options, rules);
     case Format::kPoly:

@@ -19,6 +19,10 @@ struct Cell {
 };
 using Row = std::vector<Cell>;
 
+constexpr const char* kNoNames =
+    "this looks like a table, and a table needs a first line that names its columns, such as "
+    "id,wkt";
+
 constexpr std::array<std::string_view, 8> kUsualNames = {
     "WKT", "WKB", "GEOM", "GEOMETRY", "THE_GEOM", "WKB_GEOMETRY", "WKT_GEOM", "SHAPE"};
 
@@ -111,6 +115,35 @@ bool looks_like_geometry(std::string_view cell) {
   return next == "EMPTY" || (next.empty() && rest.starts_with('('));
 }
 
+/// Tells whether a line begins as WKT or hexadecimal WKB does, also in quotes.
+bool begins_as_geometry(std::string_view line) {
+  constexpr std::size_t kEnough = 60;
+  line.remove_prefix(std::min(line.find_first_not_of(" \t\"'"), line.size()));
+  if (looks_like_hex_wkb(line)) return true;
+  const std::string start = in_capitals(line.substr(0, kEnough));
+  return start.starts_with("SRID") || std::ranges::any_of(kWktTypes, [&](std::string_view type) {
+           return start.starts_with(type);
+         });
+}
+
+/// Tells whether a cell behind the first one holds a geometry, if this mark stands between cells. A
+/// first cell with a bracket may be WKT of an unknown type.
+bool has_geometry_behind(std::string_view line, char mark) {
+  bool quoted = false;
+  bool behind = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (line[i] == '(' && !behind) return false;
+    if (line[i] != mark) continue;
+    behind = true;
+    const std::string_view cell = line.substr(i + 1);
+    const std::size_t begin = std::min(cell.find_first_not_of(" \"'"), cell.size());
+    if (looks_like_geometry(cell.substr(begin))) return true;
+  }
+  return false;
+}
+
 /// Tells whether a cell is as databases write one that holds nothing.
 bool is_null(std::string_view text, bool quoted) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -128,11 +161,15 @@ class TableSource : public FeatureSource {
         options_(options),
         mark_(mark_between(first_line(from_first_line(text)))) {
     builder_.follow(cursor_);
-    cursor_.move_to(text.size() - from_first_line(text).size());
+    const std::size_t at_header = text.size() - from_first_line(text).size();
+    cursor_.move_to(at_header);
     Row header;
     take_row(header);
     for (const Cell& cell : header) names_.push_back(text_of(cell));
     if (names_.size() > 1 && names_.back().empty()) names_.pop_back();  // as GDAL writes one column
+    if (std::ranges::any_of(names_, looks_like_hex_wkb)) {
+      cursor_.fail(ErrorCode::kBadInput, kNoNames, at_header);
+    }
     column_ = options.column.empty() ? find_column() : named_column();
   }
 
@@ -307,6 +344,17 @@ bool looks_like_table(std::string_view text) {
   const bool may_be_wkt =
       line.find_first_of("({[<=") != std::string::npos || line.find(" EMPTY") != std::string::npos;
   return may_be_wkt ? has_usual_name(line, mark) : mark != '\0' || is_usual_name(line);
+}
+
+void refuse_rows_without_names(std::string_view text) {
+  constexpr std::size_t kEnough = 10'000;  // all of a text may be one line
+  const std::string_view table = from_first_line(text);
+  const std::string_view line = first_line(table).substr(0, kEnough);
+  if (line.starts_with('#') || begins_as_geometry(line)) return;
+  for (const char mark : {',', '\t', ';'}) {
+    if (!has_geometry_behind(line, mark)) continue;
+    TextCursor(text).fail(ErrorCode::kBadInput, kNoNames, text.size() - table.size());
+  }
 }
 
 std::unique_ptr<FeatureSource> table_source(std::string_view text, const ReadOptions& options,

@@ -228,6 +228,33 @@ TEST(Features, TablesAsOtherProgramsWriteThem) {
   EXPECT_EQ(detect_format("\xE9,geom\n"), Format::kWkt);
 }
 
+TEST(Features, TablesNeedNames) {
+  const std::string digits = "0101000000000000000000f03f0000000000000040";
+  const std::string message =
+      "1:1: this looks like a table, and a table needs a first line that names its columns, such "
+      "as id,wkt";
+  for (const std::string& table :
+       {std::string("a,POINT (1 2)\n"), std::string("1,\"POLYGON ((0 0, 1 0, 0 1, 0 0))\"\n"),
+        std::string("1;POLYGON ((0 0, 1 0, 0 1, 0 0));b\n"), std::string("1\tPOINT (1 2)\tb\n"),
+        "1," + digits + "\n",
+        // The first row was taken for names, and its geometry was lost.
+        "a," + digits + "\nb," + digits + "\n"}) {
+    EXPECT_EQ(refusal(table), message) << table;
+  }
+  EXPECT_EQ(refusal("\n a,POINT (1 2)\n").substr(0, 8), "2:1: thi");
+  const Geometry points{{}, {}, {{1, 2}, {3, 4}}};
+  for (const std::string& list :
+       {std::string("# a, POINT (5 6)\nPOINT (1 2); POINT (3 4)"),
+        std::string("'POINT (1 2)'; \"POINT (3 4)\""), std::string("SRID=5;MULTIPOINT (1 2, 3 4)"),
+        std::string("GEOMETRYCOLLECTION\t(\tPOINT (1 2), POINT (3 4))"),
+        "\"" + digits + "\";POINT (3 4)", digits + ";POINT (3 4)"}) {
+    EXPECT_EQ(read_geometry(list), points) << list;
+  }
+  EXPECT_NE(refusal("COMPOUNDCURVE (CIRCULARSTRING (0 0, 1 1, 2 0), LINESTRING (2 0, 3 0))")
+                .find("COMPOUNDCURVE is not supported"),
+            std::string::npos);
+}
+
 TEST(Features, ReferenceSystemsAreWritten) {
   const Geometry point{{}, {}, {{1, 2}}};
   const Coordinates by_number{.srid = 3857};
