@@ -1,5 +1,6 @@
 #include "io/json_cursor.hpp"
 
+#include "io/json_string.hpp"
 #include "io/number.hpp"
 #include "minksum/detail/utf8.hpp"
 
@@ -71,7 +72,7 @@ std::string JsonCursor::take_string() {
     if (cursor_.at_end()) cursor_.fail(ErrorCode::kBadInput, "a string has no end", start);
     if (cursor_.accept('"')) return result;
     if (static_cast<unsigned char>(cursor_.peek()) >= 0x80) {
-      cursor_.fail("a string must be in UTF-8, found " + cursor_.found());
+      cursor_.fail("a string must be in UTF-8, found " + cursor_.found() + kToUtf8);
     }
     if (!cursor_.accept('\\')) {
       cursor_.fail("a control character in a string must be escaped, found " + cursor_.found());

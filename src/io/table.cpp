@@ -245,7 +245,7 @@ class TableSource : public FeatureSource {
       if (cell.end > cell.begin && cursor_.text()[cell.end - 1] == '\r') --cell.end;
     }
     if (!is_utf8(cursor_.text().substr(cell.begin, cell.end - cell.begin))) {
-      cursor_.fail(ErrorCode::kBadInput, "a cell is not UTF-8", cell.begin);
+      cursor_.fail(ErrorCode::kBadInput, std::string("a cell is not UTF-8") + kToUtf8, cell.begin);
     }
     return cell;
   }
@@ -339,8 +339,10 @@ class TableSource : public FeatureSource {
 
 bool looks_like_table(std::string_view text) {
   const std::string line = in_capitals(first_line(text));
-  if (!line.empty() && static_cast<unsigned char>(line[0]) >= 0x80 && !is_utf8(line)) return false;
   const char mark = mark_between(line);
+  if (!line.empty() && static_cast<unsigned char>(line[0]) >= 0x80 && !is_utf8(line)) {
+    return has_usual_name(line, mark);  // any other text may be binary
+  }
   const bool may_be_wkt =
       line.find_first_of("({[<=") != std::string::npos || line.find(" EMPTY") != std::string::npos;
   return may_be_wkt ? has_usual_name(line, mark) : mark != '\0' || is_usual_name(line);

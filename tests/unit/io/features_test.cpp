@@ -225,7 +225,9 @@ TEST(Features, TablesAsOtherProgramsWriteThem) {
             "1:1: no column of this table holds WKT, or WKB in hexadecimal digits; there are 'a', "
             "'geom', 'wkt'");
   EXPECT_EQ(detect_format("POLIGON ((0 0, 1 0, 0 1, 0 0))\n"), Format::kWkt);
-  EXPECT_EQ(detect_format("\xE9,geom\n"), Format::kWkt);
+  EXPECT_EQ(detect_format("\xE9,name\n"), Format::kWkt);
+  EXPECT_EQ(refusal("\xE9tage,geom\n1,POINT (1 2)\n"),
+            "1:1: a cell is not UTF-8; convert it first, as by iconv -f latin1 -t utf-8");
 }
 
 TEST(Features, TablesNeedNames) {
