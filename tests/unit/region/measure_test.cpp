@@ -41,6 +41,36 @@ TEST(Measure, AreaIsExactForEveryKindOfNumber) {
   EXPECT_EQ(area(Region()), Rational(0));
 }
 
+TEST(Measure, AreaOfManyDenominatorsIsInLowestTerms) {
+  // The denominators have factors in common with each other and with the numerator of the sum.
+  test::Random random(71);
+  for (const int count : {3, 40, 400}) {
+    Region region;
+    region.begin_polygon();
+    region.begin_ring();
+    std::vector<Point> points;
+    for (int i = 0; i < count; ++i) {
+      const std::int64_t shared = std::int64_t{1} << random.below(40);
+      const Rational divisor = Rational(1 + random.below(1'000'000)) *
+                               Rational(shared + random.below(9)) *
+                               Rational(i % 3 == 0 ? 1 : 3 * 5 * 7 + random.below(3));
+      points.push_back({Rational(random.below(1'000'000)) / divisor,
+                        Rational(random.below(1'000'000)) / divisor});
+      region.add_vertex(points.back().x, points.back().y);
+    }
+    Rational doubled;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Point& p = points[i];
+      const Point& q = points[(i + 1) % points.size()];
+      doubled += p.x * q.y - q.x * p.y;
+    }
+    const Rational expected = (doubled.sign() < 0 ? -doubled : doubled) * Rational(1, 2);
+    const Rational found = area(region);
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(found.to_string(), expected.to_string());
+  }
+}
+
 TEST(Measure, AreaIgnoresOrientation) {
   Region region;
   region.begin_polygon();
