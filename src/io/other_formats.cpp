@@ -98,6 +98,10 @@ std::string first_element(TextCursor cursor) {
   return cursor.at_end() ? "" : name;
 }
 
+// The module for browsers has no room to name these.
+#if defined(__wasm__)
+bool looks_like_triangle(const TextCursor& /*cursor*/) { return false; }
+#else
 using Words = std::vector<std::string_view>;
 
 /// Takes the words of the next line that has some. A line that no file of Triangle has is not taken
@@ -135,6 +139,7 @@ bool looks_like_triangle(TextCursor cursor) {
   if (first.size() != size || second.size() != size) return false;
   return (first[0] == "0" && second[0] == "1") || (first[0] == "1" && second[0] == "2");
 }
+#endif
 
 OtherFormat other(const Other& row) { return {row.name, row.advice, row.advice == kByGdal}; }
 
@@ -182,7 +187,8 @@ std::optional<OtherFormat> find_other_format(std::string_view text) {
   return OtherFormat{"XML of an unknown kind", "SVG, KML, GML and GPX are", false};
 }
 
-std::string refusal_of_json(std::string_view word) {
+std::string refusal_of_json([[maybe_unused]] std::string_view word) {
+#if !defined(__wasm__)
   if (word == "Topology") {
     return "this looks like TopoJSON, which is not read: convert it to GeoJSON, as by ogr2ogr -f "
            "GeoJSON result.json FILE";
@@ -190,9 +196,12 @@ std::string refusal_of_json(std::string_view word) {
   constexpr std::array kEsriMembers = {"rings"sv,        "paths"sv,           "curveRings"sv,
                                        "curvePaths"sv,   "attributes"sv,      "fieldAliases"sv,
                                        "geometryType"sv, "spatialReference"sv};
-  if (std::ranges::find(kEsriMembers, word) == kEsriMembers.end()) return {};
-  return "this looks like Esri JSON, which is not read: ask its server for f=geojson, or convert "
-         "it to GeoJSON; ogr2ogr reads sets of features: ogr2ogr -f GeoJSON result.json FILE";
+  if (std::ranges::find(kEsriMembers, word) != kEsriMembers.end()) {
+    return "this looks like Esri JSON, which is not read: ask its server for f=geojson, or convert "
+           "it to GeoJSON; ogr2ogr reads sets of features: ogr2ogr -f GeoJSON result.json FILE";
+  }
+#endif
+  return {};
 }
 
 void refuse(const OtherFormat& format, bool is_file) {

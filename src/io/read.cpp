@@ -196,7 +196,9 @@ std::unique_ptr<FeatureSource> open_source(std::string_view text, const ReadOpti
     refuse({"XML", "it has no element", false}, false);
   }
   const Format format = detect_format(content);
+#if !defined(__wasm__)  // the module for browsers has no room for better errors
   if (format == Format::kWkt || format == Format::kDat) refuse_rows_without_names(content);
+#endif
   switch (format) {
     case Format::kGeoJson:
       return geojson_source(content, options, rules);

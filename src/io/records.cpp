@@ -33,14 +33,11 @@ class RecordSource : public FeatureSource {
 
   // Two geometries on one line without a semicolon are more likely a mistake than a list.
   void separator() {
-    bool is_row = false;
-    for (; is_space(cursor_.peek()) && cursor_.peek() != '\n'; cursor_.advance()) {
-      is_row = is_row || cursor_.peek() == '\t';
-    }
+    while (is_space(cursor_.peek()) && cursor_.peek() != '\n') cursor_.advance();
     const char c = cursor_.peek();
     if (cursor_.at_end() || c == '\n' || c == '#' || cursor_.accept(';')) return;
     cursor_.fail("expected the end of the line or ';' after a geometry, found " + cursor_.found() +
-                 (c == ',' || is_row ? "; a table needs a first line that names its columns" : ""));
+                 (c == ',' ? "; a table needs a first line that names its columns" : ""));
   }
 
   TextCursor cursor_;

@@ -88,7 +88,7 @@ class RingLoader {
     const int tens = c.exp10 - exp10;
     const int twos = c.exp2 - exp2;
     value = Integer(c.payload);
-    if constexpr (std::is_same_v<Integer, Int128>) {
+    if constexpr (std::is_same_v<Integer, Int128> && SmallOperand::kMayBeLong) {
       // A stored number has 63 bits, and so has such a factor. This is most numbers.
       constexpr int kMostBits = 62;
       if (c.denominator_limbs == 0 && (tens | twos) >= 0 &&

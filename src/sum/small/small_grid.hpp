@@ -26,7 +26,7 @@ inline bool scale(int tens, int twos, std::int64_t& value) {
          !__builtin_mul_overflow(value, std::int64_t{1} << twos, &value) && -kFarthest <= value &&
          value <= kFarthest;
 }
-inline bool scale(int tens, int twos, Int128& value) {
+[[gnu::noinline]] inline bool scale(int tens, int twos, Int128& value) {
   if (value == 0) return true;
   if (bit_width(value) + bits_of_ten_to(tens) + twos > kFarthestBits) return false;
   value = scaled(value, twos, tens);

@@ -232,6 +232,7 @@ TEST(Features, TablesAsOtherProgramsWriteThem) {
 
 TEST(Features, TablesNeedNames) {
   const std::string digits = "0101000000000000000000f03f0000000000000040";
+#if !defined(__wasm__)  // the module for browsers has no room for these errors
   const std::string message =
       "1:1: this looks like a table, and a table needs a first line that names its columns, such "
       "as id,wkt";
@@ -244,6 +245,7 @@ TEST(Features, TablesNeedNames) {
     EXPECT_EQ(refusal(table), message) << table;
   }
   EXPECT_EQ(refusal("\n a,POINT (1 2)\n").substr(0, 8), "2:1: thi");
+#endif
   const Geometry points{{}, {}, {{1, 2}, {3, 4}}};
   for (const std::string& list :
        {std::string("# a, POINT (5 6)\nPOINT (1 2); POINT (3 4)"),

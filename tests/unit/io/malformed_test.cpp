@@ -47,8 +47,6 @@ std::vector<Malformed> wkt_table() {
       {"trailing", "POLYGON EMPTY\nPOLYGON EMPTY POLYGON EMPTY", kBad,
        "geometry 2: expected the end of the line or ';' after a geometry, found 'POLYGON'", 2, 15},
       {"table", "\"POLYGON EMPTY\",a", kBad, "a table needs a first line that names its columns"},
-      {"table_of_tabs", "POLYGON EMPTY\ta", kBad,
-       "found 'a'; a table needs a first line that names its columns", 1, 15},
       {"quote", "'POLYGON EMPTY\n", kBad, "expected the closing quote '"},
       {"open_ring", "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0),\n  (1 1, 2 1, 2 2, 1 2))", kBad,
        "polygon 1, ring 2 is not closed", 2, 3},
