@@ -20,7 +20,7 @@ test("operations give the same as without a worker", async () => {
   const methods = Object.getOwnPropertyNames(Object.getPrototypeOf(mk));
   const missing = methods.filter((name) => !(name in worker) &&
     !["constructor", "version", "memoryBytes", "prepare", "made", "contactsOf", "take", "binary",
-      "withResolved", "withNoFit", "withSpace", "writeOptions", "preparedOf", "geometryOf", "pathOf"].includes(name));
+      "hasThinParts", "withResolved", "withNoFit", "withSpace", "writeOptions", "preparedOf", "geometryOf", "pathOf"].includes(name));
   assert.deepEqual(missing, []);
 });
 test("errors keep their place", async () => {
