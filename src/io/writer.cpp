@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "machine/shortest_double.hpp"
+#include "exact/shortest_double.hpp"
 #include "minksum/round.hpp"
 
 namespace minksum::io {

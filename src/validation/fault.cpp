@@ -1,6 +1,6 @@
 #include "validation/fault.hpp"
 
-#include "machine/shortest_double.hpp"
+#include "exact/shortest_double.hpp"
 #include "minksum/error.hpp"
 
 namespace minksum {

@@ -61,9 +61,9 @@ EXCEPTIONS = {
         "readers and writers count their work as the library does, by this header",
     ("src/io", "src/machine/bad_input.hpp"):
         "options of reading and writing are checked as those of operations are",
-    ("src/io/writer.cpp", "src/machine/shortest_double.hpp"):
+    ("src/io/writer.cpp", "src/exact/shortest_double.hpp"):
         "not every standard library can write doubles",
-    ("src/io/gdal/gdal_features.cpp", "src/machine/shortest_double.hpp"):
+    ("src/io/gdal/gdal_features.cpp", "src/exact/shortest_double.hpp"):
         "not every standard library can write doubles",
     ("src/operations/configuration_space/slices.cpp", "src/operations/sum/fixed_sum.hpp"):
         "slices share one raster of the obstacles, which has no public form",

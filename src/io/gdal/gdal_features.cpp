@@ -10,7 +10,7 @@
 #include "io/gdal/records.hpp"
 #include "io/json_string.hpp"
 #include "machine/cancellation.hpp"
-#include "machine/shortest_double.hpp"
+#include "exact/shortest_double.hpp"
 
 namespace minksum::io {
 

@@ -7,6 +7,7 @@
 #include "minksum/io.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/resolve.hpp"
+#include "unit/io/drawing/read_drawing.hpp"
 
 namespace minksum::io {
 namespace {
@@ -21,22 +22,6 @@ std::string tags(const std::string& words) {
 std::string dxf(const std::string& entities, const std::string& before = "") {
   return tags((before.empty() ? "" : before + " ") + "0 SECTION 2 ENTITIES " +
               (entities.empty() ? "" : entities + " ") + "0 ENDSEC 0 EOF");
-}
-
-std::string read_exactly(const std::string& text, const ReadOptions& options = {}) {
-  try {
-    return to_wkt(resolve(read_geometry(text, options)), {Coordinates::Style::kExact});
-  } catch (const ReadError& error) {
-    return std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": " +
-           error.what();
-  }
-}
-
-ReadOptions within(const Rational& tolerance, RoundingSide side = RoundingSide::kNearest) {
-  ReadOptions options;
-  options.drawing.tolerance = tolerance;
-  options.drawing.side = side;
-  return options;
 }
 
 std::string line(const std::string& a, const std::string& b, const std::string& more = "") {

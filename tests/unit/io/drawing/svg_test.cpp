@@ -8,28 +8,13 @@
 #include "minksum/io.hpp"
 #include "minksum/measure.hpp"
 #include "minksum/resolve.hpp"
+#include "unit/io/drawing/read_drawing.hpp"
 
 namespace minksum::io {
 namespace {
 
 std::string svg(const std::string& content, const std::string& attributes = "") {
   return "<svg xmlns='http://www.w3.org/2000/svg'" + attributes + ">" + content + "</svg>";
-}
-
-std::string read_exactly(const std::string& text, const ReadOptions& options = {}) {
-  try {
-    return to_wkt(resolve(read_geometry(text, options)), {Coordinates::Style::kExact});
-  } catch (const ReadError& error) {
-    return std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": " +
-           error.what();
-  }
-}
-
-ReadOptions within(const Rational& tolerance, RoundingSide side = RoundingSide::kNearest) {
-  ReadOptions options;
-  options.drawing.tolerance = tolerance;
-  options.drawing.side = side;
-  return options;
 }
 
 constexpr const char* kSquare = "POLYGON ((0 -1, 1 -1, 1 0, 0 0, 0 -1))";

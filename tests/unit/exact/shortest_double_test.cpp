@@ -1,5 +1,5 @@
 // Tests the writing of doubles for standard libraries that cannot do it.
-#include "machine/shortest_double.hpp"
+#include "exact/shortest_double.hpp"
 
 #include <gtest/gtest.h>
 
