@@ -39,6 +39,14 @@ void list_parallel_sums(const Operands& o, std::span<const Region, 2> walks, con
   const auto point = [&](SiteId site) {
     return walks[static_cast<std::size_t>(o.operand_of(site))].point(o.vertex_source[site]);
   };
+  const auto bends = [&](SiteId site) {
+    return o.rank[site] != o.rank[o.previous[site]] && !o.turns_back(site);
+  };
+  // The sum of two parallel edges is two pieces: one edge at an end of the other, and the other way
+  // round. A piece is a side of a parallelogram if the polyline goes on in another direction there.
+  const auto is_within_area = [&](SiteId e, SiteId f) {
+    return (bends(f) && bends(o.sites.next[e])) || (bends(e) && bends(o.sites.next[f]));
+  };
   const auto sum = [&](SiteId a, SiteId b) {
     const Point p = point(a);
     const Point q = point(b);
@@ -55,7 +63,7 @@ void list_parallel_sums(const Operands& o, std::span<const Region, 2> walks, con
       for (std::size_t l = i; l < j; ++l) {
         const SiteId f = o.by_direction[l];
         cancellation.check();
-        if (o.operand_of(f) != 1) continue;
+        if (o.operand_of(f) != 1 || is_within_area(e, f)) continue;
         cancellation.check(work);
         if (sums.size() >= limits.max_segments) {
           throw exceeded("Limits::max_segments", limits.max_segments, "polylines have",

@@ -129,6 +129,31 @@ TEST(ThinOperand, ParallelSumsAreListedOncePerPair) {
   EXPECT_THROW(list_parallel_sums(operands, walks, limits, never, sums), Error);
 }
 
+/// Both pieces of a parallel sum are sides of parallelograms if polylines bend at the right ends.
+TEST(ThinOperand, ParallelSumsWithinTheAreaAreLeftOut) {
+  const auto count = [](const std::vector<Outline>& first, const std::vector<Outline>& second) {
+    const Made p(first);
+    const Made q(second);
+    Operands operands;
+    Cancellation never;
+    combine_operands(p.operand, q.operand, {}, NarrowHoles::kFill, never, operands);
+    const std::array<Region, 2> walks{p.region, q.region};
+    std::vector<Polyline> sums;
+    list_parallel_sums(operands, walks, {}, never, sums);
+    return sums.size();
+  };
+  const Outline both{{-1, 5}, {0, 0}, {3, 0}, {4, 5}};
+  const Outline left{{0, 7}, {0, 0}, {3, 0}};
+  const Outline right{{0, 0}, {3, 0}, {2, 9}};
+  const Outline none{{0, 0}, {2, 0}};
+  EXPECT_EQ(count({both}, {left}), 0U);
+  EXPECT_EQ(count({right}, {both}), 0U);
+  EXPECT_EQ(count({left}, {right}), 0U);
+  EXPECT_EQ(count({left}, {{{1, 9}, {0, 0}, {2, 0}}}), 1U);  // no side ends on the right
+  EXPECT_EQ(count({right}, {right}), 2U);                    // each pair ends alike
+  EXPECT_EQ(count({both}, {none}), 1U);
+}
+
 TEST(SignedThinOperand, IsClosedAndChecked) {
   using namespace minksum::signed_sum;
   const Geometry hook = make_lines(kHook);
