@@ -7,7 +7,7 @@
 
 #include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
-#include "minksum/validity.hpp"
+#include "operations/sum/join_paths.hpp"
 #include "overlay/boolean.hpp"
 #include "overlay/resolve_area.hpp"
 #include "region/map_points.hpp"
@@ -26,49 +26,6 @@ Geometry moved(const Geometry& geometry, const Point& by, Cancellation& cancella
   return mapped(geometry, mapped(geometry.region, move), move);
 }
 
-/// Appends a polyline as walks without repeated or straight vertices. Each walk ends where the
-/// polyline turns back.
-void append_walks(const Polyline& given, Cancellation& cancellation, std::vector<Polyline>& walks) {
-  Polyline walk;
-  for (const Point& to : given) {
-    cancellation.check(2 * work_of(to));
-    if (!walk.empty() && walk.back() == to) continue;
-    if (walk.size() > 1) {
-      const Point& from = walk[walk.size() - 2];
-      const Point at = walk.back();
-      const Point in = minus(at, from);
-      const Point out = minus(to, at);
-      if (cross(in, out).sign() == 0) {
-        if (dot(in, out).sign() > 0) {
-          walk.pop_back();
-        } else {
-          walks.push_back(std::exchange(walk, {at}));
-        }
-      }
-    }
-    walk.push_back(to);
-  }
-  if (walk.size() > 1) walks.push_back(std::move(walk));
-}
-
-/// Tells whether polylines have vertices that the given ones lack.
-bool has_new_vertices(const std::vector<Polyline>& polylines, const std::vector<Polyline>& given,
-                      Cancellation& cancellation) {
-  std::vector<Point> known;
-  for (const Polyline& line : given) known.insert(known.end(), line.begin(), line.end());
-  const auto before = [&](const Point& a, const Point& b) {
-    cancellation.check(work_of(a));
-    return comes_before(a, b);
-  };
-  std::sort(known.begin(), known.end(), before);
-  for (const Polyline& line : polylines) {
-    for (const Point& at : line) {
-      if (!std::binary_search(known.begin(), known.end(), at, before)) return true;
-    }
-  }
-  return false;
-}
-
 /// An operand as it was given, or resolved.
 class Reader {
  public:
@@ -85,26 +42,6 @@ class Reader {
       return;
     }
     resolve();
-  }
-  /// Keeps polylines whole where they cross. Each crossing has a denominator of its own, and all
-  /// sums would have the product of these. The geometry is the same set then, but not resolved.
-  void leave_crossings() {
-    if (as_given_ || given_.polylines.empty()) return;
-    // A polyline along an area is part of that area. As a thin part it would remove tight places.
-    if (options_.tight_places != nullptr) return;
-    const bool is_as_drawn = options_.fill == FillRule::kAutomatic || given_.region.empty();
-    if (!is_as_drawn || options_.regularize) return;
-    if (!has_new_vertices(resolved_.polylines, given_.polylines, partial_.cancellation())) {
-      return;
-    }
-    // Rings that are not valid may add polylines.
-    if (!validate(given_.region, 1, options_).empty()) return;
-    Cancellation& cancellation = partial_.cancellation();
-    for (Polyline& line : resolved_.polylines) clear_in_pieces(line, cancellation);
-    clear_in_pieces(resolved_.polylines, cancellation);
-    for (const Polyline& line : given_.polylines) {
-      append_walks(line, cancellation, resolved_.polylines);
-    }
   }
   void resolve() {
     if (!as_given_) return;
@@ -134,15 +71,20 @@ class ThinSums {
       : operands_{&p, &q}, options_(options), partial_(partial), sums_(sums) {}
 
   void run() {
+    // Where polylines cross, each point has a denominator of its own, and all sums would have the
+    // product of these.
+    const std::array<std::vector<Polyline>, 2> paths{
+        join_paths(of(0).polylines, partial_.cancellation()),
+        join_paths(of(1).polylines, partial_.cancellation())};
     for (const int operand : {0, 1}) {
-      const Geometry& other = of(1 - operand);
-      if (!of(operand).region.empty() && !other.polylines.empty()) {
-        partial_.sweep(operand, other.polylines, sums_.emplace_back().region);
+      const auto& other = paths[static_cast<std::size_t>(1 - operand)];
+      if (!of(operand).region.empty() && !other.empty()) {
+        partial_.sweep(operand, other, sums_.emplace_back().region);
       }
     }
-    if (!of(0).polylines.empty() && !of(1).polylines.empty()) {
+    if (!paths[0].empty() && !paths[1].empty()) {
       Geometry loose;
-      partial_.add_polylines(of(0).polylines, of(1).polylines, loose);
+      partial_.add_polylines(paths[0], paths[1], loose);
       sums_.push_back(resolve(loose, part_of(options_)));
     }
     // Sums of two points are made once: they are left out in the second call.
@@ -202,8 +144,6 @@ void sum_geometries(const Geometry& p, const Geometry& q, const SumRequest& opti
   // A region that is moved by a point is a result, so it must be in canonical form.
   if (!second.geometry().points.empty()) first.resolve();
   if (!first.geometry().points.empty()) second.resolve();
-  if (second.geometry().points.empty()) first.leave_crossings();
-  if (first.geometry().points.empty()) second.leave_crossings();
   const Geometry& a = first.geometry();
   const Geometry& b = second.geometry();
   if (a.empty() || b.empty()) return;
