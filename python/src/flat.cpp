@@ -18,7 +18,7 @@ using namespace nb::literals;
 namespace minksum::python {
 namespace {
 
-using Offsets = nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+using OffsetArray = nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Coordinates = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
 /// Returns an argument as an array of numbers of one of some kinds, as NumPy names them.
@@ -46,7 +46,7 @@ nb::object numbers_of(nb::handle argument, const char* name, const char* kinds, 
 }
 
 /// Returns offsets that begin with 0, do not decrease and end with `most`, the count of `things`.
-std::span<const std::int64_t> checked(const Offsets& offsets, std::size_t most, const char* name,
+std::span<const std::int64_t> checked(const OffsetArray& offsets, std::size_t most, const char* name,
                                       const char* things) {
   const std::span<const std::int64_t> all(offsets.data(), offsets.shape(0));
   const auto refuse = [&](std::size_t i, const std::string& fault) {
@@ -70,15 +70,15 @@ std::span<const std::int64_t> checked(const Offsets& offsets, std::size_t most, 
 ShapeArrayPtr from_ragged_array(nb::handle coords, nb::handle ring_offsets,
                                 nb::handle polygon_offsets, nb::handle geometry_offsets) {
   const auto offsets_of = [](nb::handle argument, const char* name) {
-    return nb::cast<Offsets>(numbers_of(argument, name, "iu", "integers", 1));
+    return nb::cast<OffsetArray>(numbers_of(argument, name, "iu", "integers", 1));
   };
   const auto coordinates = nb::cast<Coordinates>(numbers_of(coords, "coords", "fiu", "numbers", 2));
   if (coordinates.shape(1) != 2) {
     throw nb::type_error("coords must be an array of numbers of the shape (n, 2)");
   }
-  const Offsets rings = offsets_of(ring_offsets, "ring_offsets");
-  const Offsets polygons = offsets_of(polygon_offsets, "polygon_offsets");
-  std::optional<Offsets> geometries;
+  const OffsetArray rings = offsets_of(ring_offsets, "ring_offsets");
+  const OffsetArray polygons = offsets_of(polygon_offsets, "polygon_offsets");
+  std::optional<OffsetArray> geometries;
   if (!geometry_offsets.is_none()) geometries = offsets_of(geometry_offsets, "geometry_offsets");
   const auto ring_starts = checked(rings, coordinates.shape(0), "ring_offsets", "vertices");
   const auto polygon_starts = checked(polygons, ring_starts.size() - 1, "polygon_offsets", "rings");
