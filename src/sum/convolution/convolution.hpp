@@ -105,17 +105,15 @@ struct Clip {
 /// Finds parts of segments that certainly lie inside the sum, by a look at the operand of the
 /// segment's vertex near that vertex.
 ///
-/// Let s = p + e be a segment of a vertex p of P and an edge e of Q. Let the boundary of P cross
-/// the line of s where s has the parameter c; c may be less than 0, or more than 1. Next to that
-/// crossing, P's interior meets the line at a parameter c' as near to c as we like. A point of s
-/// with the parameter t is the sum of P's point at c' and of e's point at t − c', if that is in
-/// [0, 1]. So the points of s between c and 1 + c lie in the interior of P ⊕ Q. They are no tight
-/// places either, since the interior of Q is next to e.
+/// Let s = p + e be a segment of a vertex p of P and an edge e of Q. Let an edge f of P cross the
+/// line of s where s has the parameter c; c may be less than 0, or more than 1. Then the points of
+/// s between c and 1 + c lie in the interior of the parallelogram e ⊕ f, and so of P ⊕ Q. No such
+/// point x is a tight place either, since e crosses an edge of x − P.
 ///
-/// So if P's boundary returns to the line ahead of p, only the beginning of s is left, and if it
-/// returns behind p, only the end. If it returns on both sides, and the ways to there are shorter
-/// than e together, nothing is left. That is so at most convex vertices of a P that is small and
-/// rough beside e. There no cells of a grid are so small that they would fit inside P.
+/// So if P returns to the line ahead of p, only the beginning of s is left, and if it returns
+/// behind p, only the end. If it returns on both sides, and the ways to there are shorter than e
+/// together, nothing is left. That is so at most convex vertices of a P that is small and rough
+/// beside e. There no cells of a grid are so small that they would fit inside P.
 class SegmentClipper {
  public:
   explicit SegmentClipper(const Operands& operands)

@@ -109,8 +109,6 @@ class GridBuyer {
 
   /// Chooses whether segments are clipped, and clips the sample then.
   void choose_clipping() {
-    // The operands of the vertices must have an interior.
-    if (operands_.thin[0] || operands_.thin[1]) return;
     const ClippedShare left = see_clipped(operands_, sample_, cancellation_, scratch_);
     if (left.length == 1) return;
     const auto digits = static_cast<double>(std::bit_width(static_cast<std::uint64_t>(segments_)));

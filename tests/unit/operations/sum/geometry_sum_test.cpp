@@ -258,6 +258,24 @@ TEST(GeometrySum, ACoverOfTangledPolylinesChangesNothing) {
   }
 }
 
+/// Nearly all that the vertices of a small path make of the edges of a far larger one is inside.
+TEST(GeometrySum, SegmentsOfPolylinesAreClipped) {
+  Random random(40403);
+  const Geometry small{{}, {tangle(random, 60, 1000)}, {}};
+  const Geometry path{{}, {tangle(random, 40, 1000)}, {}};
+  const Geometry large = scaled(path, Rational(1000));
+  SumSettings options;
+  options.method = Method::kSigned;
+  const Geometry expected = minkowski_sum(small, large, options);
+  options.method = Method::kReduced;
+  // 15,000 crossings are left. Without the cover nothing is clipped, and there are 160,000.
+  options.limits.max_crossings = 40'000;
+  EXPECT_EQ(minkowski_sum(small, large, options), expected);
+  EXPECT_EQ(minkowski_sum(large, small, options), expected);
+  options.cover = false;
+  EXPECT_THROW(static_cast<void>(minkowski_sum(small, large, options)), Error);
+}
+
 TEST(GeometrySum, StatisticsAreThoseOfTheAreas) {
   Geometry flagged{kSquare, make_lines({{{2, 2}, {5, 2}}}).polylines, {}};
   for (const bool small : {true, false}) {
