@@ -81,7 +81,8 @@ bool CollisionTest::meets(const Probe& probe) {
   const RoundingBounds& bounds = predicates_.bounds();
   doubt_ = 4 * (bounds.position + bounds.magnitude * 0x1p-49);
   const auto cross = [this](std::size_t p, std::size_t q) { return leaves_cross(p, q); };
-  return trees_.any_near(at_, doubt_, predicates_.cancellation(), stack_, cross) ||
+  return trees_.any_near(at_, doubt_, predicates_.cancellation(), stack_,
+                         EdgesNearBox(o_, bounds, at_, doubt_), cross) ||
          one_inside_other();
 }
 

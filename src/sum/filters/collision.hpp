@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -101,10 +102,11 @@ struct BoxTrees {
 
   void build(const Operands& operands, Cancellation& cancellation);
   /// Whether visit(leaf of P, leaf of Q) holds for two leaves whose boxes in P and x − Q may meet.
-  /// x is within `doubt` of `at`. O(log n) for each pair of leaves that come near.
-  template <class Visit>
+  /// x is within `doubt` of `at`. near_edges(edges, box) tells whether edges of a leaf may come near
+  /// a smaller box. O(log n) for each pair of leaves that come near.
+  template <class Near, class Visit>
   [[nodiscard]] bool any_near(const Vec<double>& at, double doubt, Cancellation& cancellation,
-                              std::vector<BoxPair>& memory, Visit visit) const;
+                              std::vector<BoxPair>& memory, Near near_edges, Visit visit) const;
 
   std::vector<BoxPair> stack;
 };
@@ -116,9 +118,14 @@ struct BoxTrees {
          p.y1 + doubt >= at.y - q.y1 && at.y - q.y0 + doubt >= p.y0;
 }
 
-template <class Visit>
+/// Returns half of a box's circumference.
+[[nodiscard]] inline double size_of(const BoxTree::Box& box) {
+  return box.x1 - box.x0 + (box.y1 - box.y0);
+}
+
+template <class Near, class Visit>
 bool BoxTrees::any_near(const Vec<double>& at, double doubt, Cancellation& cancellation,
-                        std::vector<BoxPair>& memory, Visit visit) const {
+                        std::vector<BoxPair>& memory, Near near_edges, Visit visit) const {
   const auto& [p, q] = tree;
   const auto top = [](const BoxTree& t) { return static_cast<std::uint32_t>(t.levels() - 1); };
   const BoxTree::Boxes of_p = p.boxes();
@@ -134,8 +141,14 @@ bool BoxTrees::any_near(const Vec<double>& at, double doubt, Cancellation& cance
       if (visit(pair.node_p, pair.node_q)) return true;
       continue;
     }
-    cancellation.check(2);  // for the two pairs that are pushed
-    const bool split_p = pair.level_p >= pair.level_q;
+    cancellation.check(2 + BoxTree::kLeafEdges);  // for the two pairs that are pushed, and a leaf
+    const bool p_is_larger = size_of(box_p) >= size_of(box_q);
+    if (p_is_larger ? pair.level_p == 0 && !near_edges(p.edges_of(pair.node_p), box_q)
+                    : pair.level_q == 0 && !near_edges(q.edges_of(pair.node_q), box_p)) {
+      continue;
+    }
+    // The larger box is divided first: one leaf of a large operand may be near all of a small one.
+    const bool split_p = pair.level_q == 0 || (pair.level_p != 0 && p_is_larger);
     const BoxTree& split = split_p ? p : q;
     const std::uint32_t level = (split_p ? pair.level_p : pair.level_q) - 1;
     const std::uint32_t child = 2 * (split_p ? pair.node_p : pair.node_q);
@@ -147,6 +160,37 @@ bool BoxTrees::any_near(const Vec<double>& at, double doubt, Cancellation& cance
   }
   return false;
 }
+
+/// Tells whether edges of one operand may come near a box of the other one, where one of both
+/// operands P and Q is moved to x − Q. A box of few long edges says less than their lines.
+class EdgesNearBox {
+ public:
+  /// x is within `doubt` of `at`.
+  EdgesNearBox(const Operands& operands, const RoundingBounds& bounds, const Vec<double>& at,
+               double doubt)
+      : sites_(operands.sites), bounds_(bounds), at_(at), doubt_(doubt) {}
+  bool operator()(const BoxTree::Range& edges, const BoxTree::Box& box) const {
+    const auto& [x, y, dx, dy, next] = sites_;
+    const double to_x = at_.x - (box.x0 + box.x1) / 2;
+    const double to_y = at_.y - (box.y0 + box.y1) / 2;
+    const double width = (box.x1 - box.x0) / 2;
+    const double height = (box.y1 - box.y0) / 2;
+    for (SiteId e = edges.begin; e < edges.end; ++e) {
+      const double left = dx[e] * (to_y - y[e]);
+      const double right = dy[e] * (to_x - x[e]);
+      const double reach = std::abs(dx[e]) * height + std::abs(dy[e]) * width +
+                           bounds_.cross_bound({dx[e], dy[e]}, left, right, doubt_);
+      if (!(std::abs(left - right) > reach)) return true;
+    }
+    return false;
+  }
+
+ private:
+  const ApproximateSites& sites_;
+  const RoundingBounds& bounds_;
+  Vec<double> at_;
+  double doubt_;
+};
 
 /// Decides exactly for probes x whether P meets x − Q.
 ///

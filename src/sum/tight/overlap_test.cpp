@@ -23,7 +23,8 @@ bool OverlapTest::overlaps(const ContactPosition& x) {
   const RoundingBounds& bounds = predicates_.bounds();
   doubt_ = x.error + 4 * (bounds.position + bounds.magnitude * 0x1p-49);
   const auto overlap = [this](std::size_t p, std::size_t q) { return leaves_overlap(p, q); };
-  return trees_.any_near(x_.at, doubt_, predicates_.cancellation(), trees_.stack, overlap) ||
+  return trees_.any_near(x_.at, doubt_, predicates_.cancellation(), trees_.stack,
+                         EdgesNearBox(o_, bounds, x_.at, doubt_), overlap) ||
          a_ring_is_inside(0) || a_ring_is_inside(1);
 }
 
