@@ -7,12 +7,12 @@
 
 #include "machine/exceeded.hpp"
 #include "machine/make_room.hpp"
-#include "operations/sum/join_paths.hpp"
 #include "overlay/boolean.hpp"
 #include "overlay/resolve_area.hpp"
 #include "region/map_points.hpp"
 #include "region/point_arithmetic.hpp"
 #include "region/region_access.hpp"
+#include "sum/operands/operands.hpp"
 
 namespace minksum {
 namespace {

@@ -22,8 +22,8 @@ class PartialSums {
   /// Computes the sum of the region of this operand and the union of polylines, which is a region.
   virtual void sweep(int operand, std::span<const Polyline> polylines, Region& sum) = 0;
   /// Computes the sum of two unions of polylines: the region that edges of different directions
-  /// sweep, and the sums of parallel edges. The latter are one segment for each pair, and may
-  /// overlap.
+  /// sweep, and the sums of parallel edges outside of it. These are one segment for each pair, and
+  /// may overlap.
   virtual void add_polylines(std::span<const Polyline> p, std::span<const Polyline> q,
                              Geometry& sum) = 0;
   /// Returns the cancellation of the whole sum.

@@ -95,9 +95,16 @@ void combine_operands(const PreparedOperand& p, const PreparedOperand& q, const 
 /// Returns what is wrong with `operands`, or nothing.
 [[nodiscard]] std::optional<std::string> check(const Operands& operands);
 
-/// Lists the sums of parallel edges of two thin operands, one segment for each pair. The operands
-/// were made from `walks`. O(n + m + pairs). Throws Error(kLimitExceeded) if there are more pairs
-/// than `limits.max_segments`.
+/// Returns paths that together are the same set as polylines of a resolved geometry. These end
+/// wherever they meet. Two that go straight on become one path without a vertex there, and other
+/// ends at one point are joined two by two. So paths may cross one another and themselves. For n
+/// ends of polylines it takes O(n log n), and the time to copy the vertices.
+[[nodiscard]] std::vector<Polyline> join_paths(const std::vector<Polyline>& polylines,
+                                               Cancellation& cancellation);
+
+/// Lists the sums of parallel edges of two thin operands, one segment for each pair, unless it
+/// surely lies within the area of the sum. The operands were made from `walks`. O(n + m + pairs).
+/// Throws Error(kLimitExceeded) for more segments than `limits.max_segments`.
 void list_parallel_sums(const Operands& operands, std::span<const Region, 2> walks,
                         const Limits& limits, Cancellation& cancellation,
                         std::vector<Polyline>& sums);

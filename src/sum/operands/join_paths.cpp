@@ -1,5 +1,4 @@
-#include "operations/sum/join_paths.hpp"
-
+// Joins the polylines of a resolved geometry into paths, of which a sum has less to do.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +6,7 @@
 #include <utility>
 
 #include "region/point_predicates.hpp"
+#include "sum/operands/operands.hpp"
 
 namespace minksum {
 namespace {

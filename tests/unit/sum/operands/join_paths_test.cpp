@@ -1,6 +1,4 @@
 // Tests that joined paths are the same set, with the fewest ends, and that sums of them are right.
-#include "operations/sum/join_paths.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
@@ -12,6 +10,7 @@
 #include "minksum/minkowski_sum.hpp"
 #include "minksum/resolve.hpp"
 #include "minksum/testing.hpp"
+#include "sum/operands/operands.hpp"
 #include "support/geometries.hpp"
 #include "support/random.hpp"
 
