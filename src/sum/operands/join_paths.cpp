@@ -68,15 +68,19 @@ class PathJoiner {
     ends_.reserve(joint_.size());
     for (const Polyline& line : polylines_) {
       cancellation_.check(2 * work_of(line[0]));
-      for (int side = 0; side < 2; ++side)
-        order_.push_back(static_cast<std::uint32_t>(order_.size()));
       ends_.emplace_back(line[0], line[1]);
       ends_.emplace_back(line.back(), line[line.size() - 2]);
+      while (order_.size() < ends_.size()) {
+        order_.push_back(static_cast<std::uint32_t>(order_.size()));
+      }
     }
     std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
       const int sign = compare(a, b);
       return sign != 0 ? sign < 0 : ends_[a].line < ends_[b].line;
     });
+  }
+  [[nodiscard]] bool is_straight(std::uint32_t a, std::uint32_t b) const {
+    return turn(ends_[a].inner, ends_[b].at, ends_[b].inner) == 0;
   }
   void join(std::uint32_t a, std::uint32_t b, bool straight) {
     joint_[a] = {b, straight};
@@ -84,13 +88,13 @@ class PathJoiner {
   }
   [[nodiscard]] bool is_joined(std::uint32_t end) const { return joint_[end].to != kNone; }
 
-  /// Joins ends at one point: first those that go straight on, which are side by side in order.
+  /// Joins ends at one point: first those that go straight on. These are side by side in order,
+  /// unless doubles do not tell lines apart. Then more paths end there, or another two are joined.
   void join(std::span<const std::uint32_t> ends) {
     std::uint32_t before = ends.back();  // a line may have the least and the greatest angle
     for (const std::uint32_t end : ends) {
       cancellation_.check(4 * work_of(ends_[end].at.exact));
-      if (before != end && !is_joined(before) && !is_joined(end) &&
-          turn(ends_[before].inner, ends_[end].at, ends_[end].inner) == 0) {
+      if (before != end && !is_joined(before) && !is_joined(end) && is_straight(before, end)) {
         join(before, end, true);
       }
       before = end;
@@ -98,7 +102,7 @@ class PathJoiner {
     before = kNone;
     for (const std::uint32_t end : ends) {
       if (is_joined(end)) continue;
-      if (before != kNone) join(before, end, false);
+      if (before != kNone) join(before, end, is_straight(before, end));
       before = before == kNone ? end : kNone;
     }
   }

@@ -29,6 +29,16 @@ std::size_t count_vertices(const std::vector<Polyline>& paths) {
   return count;
 }
 
+/// Expects that no path goes straight on through a vertex, which would be taken for an end.
+void expect_bent(const std::vector<Polyline>& paths) {
+  for (const Polyline& path : paths) {
+    for (std::size_t k = 1; k + 1 < path.size(); ++k) {
+      const Geometry corner{{}, {{path[k - 1], path[k], path[k + 1]}}, {}};
+      EXPECT_EQ(resolve(corner).polylines[0].size(), 3U) << to_text(corner);
+    }
+  }
+}
+
 TEST(JoinPaths, WhatGoesStraightOnIsOnePath) {
   struct Case {
     std::vector<Outline> given;
@@ -67,12 +77,29 @@ TEST(JoinPaths, FewEndsAreLeft) {
         ++ends[to_text({{}, {}, {path.front()}})];
         ++ends[to_text({{}, {}, {path.back()}})];
       }
-      for (std::size_t k = 1; k + 1 < path.size(); ++k) {
-        const Geometry corner{{}, {{path[k - 1], path[k], path[k + 1]}}, {}};
-        EXPECT_EQ(resolve(corner).polylines[0].size(), 3U) << to_text(corner);
-      }
     }
+    expect_bent(paths);
     for (const auto& [at, count] : ends) EXPECT_EQ(count, 1) << at << ' ' << to_text(lines);
+  }
+}
+
+/// Lines cross so near each other that doubles do not tell their crossings apart.
+TEST(JoinPaths, CrossingsMayBeNearerThanDoublesTell) {
+  Random random(63);
+  const Rational tiny = *Rational::parse("1e-40");
+  for (int i = 0; i < 300; ++i) {
+    Geometry lines;
+    for (int k = 0; k < 6; ++k) {
+      const Rational dx = random.between(-9, 9);
+      const Rational dy = random.between(-9, 9);
+      const Rational x = Rational(1, 3) + tiny * Rational(random.between(-1, 1));
+      const Rational y = Rational(1, 3) + tiny * Rational(random.between(-1, 1));
+      lines.polylines.push_back({{x - dx, y - dy}, {x + dx, y + dy}});
+    }
+    lines = resolve(lines);
+    const std::vector<Polyline> paths = joined(lines);
+    EXPECT_EQ(resolve(Geometry{{}, paths, lines.points}), lines);
+    expect_bent(paths);
   }
 }
 
