@@ -92,13 +92,25 @@ TEST(ThinOperand, EndsTakeHalfACircleOfDirections) {
   EXPECT_TRUE(check(convolution, operands, false).has_value());
 }
 
+Operands combined(const std::vector<Outline>& p, const std::vector<Outline>& q) {
+  Operands operands;
+  Cancellation never;
+  combine_operands(Made(p).operand, Made(q).operand, {}, NarrowHoles::kFill, never, operands);
+  return operands;
+}
+std::vector<Polyline> parallel_sums(const std::vector<Outline>& p, const std::vector<Outline>& q,
+                                    const Limits& limits = {}) {
+  const std::array<Region, 2> walks{Made(p).region, Made(q).region};
+  Cancellation never;
+  std::vector<Polyline> sums;
+  list_parallel_sums(combined(p, q), walks, limits, never, sums);
+  return sums;
+}
+
 TEST(ThinOperand, BetweenTwoOfThemParallelEdgesAreLeftOut) {
   const auto segments_of = [](const std::vector<Outline>& p, const std::vector<Outline>& q) {
-    const Made a(p);
-    const Made b(q);
-    Operands operands;
+    const Operands operands = combined(p, q);
     Cancellation never;
-    combine_operands(a.operand, b.operand, {}, NarrowHoles::kFill, never, operands);
     ConvolutionScratch scratch;
     Convolution convolution;
     reduced_convolution(operands, {}, never, scratch, convolution);
@@ -114,44 +126,30 @@ TEST(ThinOperand, BetweenTwoOfThemParallelEdgesAreLeftOut) {
 }
 
 TEST(ThinOperand, ParallelSumsAreListedOncePerPair) {
-  const Made p({{{0, 0}, {3, 0}, {3, 2}}});
-  const Made q({{{0, 0}, {-7, 0}}, {{5, 5}, {6, 5}}, {{0, 0}, {1, 1}}});
-  Operands operands;
-  Cancellation never;
-  combine_operands(p.operand, q.operand, {}, NarrowHoles::kFill, never, operands);
-  const std::array<Region, 2> walks{p.region, q.region};
-  std::vector<Polyline> sums;
-  list_parallel_sums(operands, walks, {}, never, sums);
-  EXPECT_EQ(to_text(Geometry{{}, sums, {}}),
+  const std::vector<Outline> p{{{0, 0}, {3, 0}, {3, 2}}};
+  const std::vector<Outline> q{{{0, 0}, {-7, 0}}, {{5, 5}, {6, 5}}, {{0, 0}, {1, 1}}};
+  EXPECT_EQ(to_text(Geometry{{}, parallel_sums(p, q), {}}),
             to_text(make_lines({{{-7, 0}, {3, 0}}, {{5, 5}, {9, 5}}})));
   Limits limits;
   limits.max_segments = 1;
-  EXPECT_THROW(list_parallel_sums(operands, walks, limits, never, sums), Error);
+  EXPECT_THROW(static_cast<void>(parallel_sums(p, q, limits)), Error);
 }
 
 /// Both pieces of a parallel sum are sides of parallelograms if polylines bend at the right ends.
 TEST(ThinOperand, ParallelSumsWithinTheAreaAreLeftOut) {
-  const auto count = [](const std::vector<Outline>& first, const std::vector<Outline>& second) {
-    const Made p(first);
-    const Made q(second);
-    Operands operands;
-    Cancellation never;
-    combine_operands(p.operand, q.operand, {}, NarrowHoles::kFill, never, operands);
-    const std::array<Region, 2> walks{p.region, q.region};
-    std::vector<Polyline> sums;
-    list_parallel_sums(operands, walks, {}, never, sums);
-    return sums.size();
+  const auto count = [](const Outline& p, const Outline& q) {
+    return parallel_sums({p}, {q}).size();
   };
   const Outline both{{-1, 5}, {0, 0}, {3, 0}, {4, 5}};
   const Outline left{{0, 7}, {0, 0}, {3, 0}};
   const Outline right{{0, 0}, {3, 0}, {2, 9}};
   const Outline none{{0, 0}, {2, 0}};
-  EXPECT_EQ(count({both}, {left}), 0U);
-  EXPECT_EQ(count({right}, {both}), 0U);
-  EXPECT_EQ(count({left}, {right}), 0U);
-  EXPECT_EQ(count({left}, {{{1, 9}, {0, 0}, {2, 0}}}), 1U);  // no side ends on the right
-  EXPECT_EQ(count({right}, {right}), 2U);                    // each pair ends alike
-  EXPECT_EQ(count({both}, {none}), 1U);
+  EXPECT_EQ(count(both, left), 0U);
+  EXPECT_EQ(count(right, both), 0U);
+  EXPECT_EQ(count(left, right), 0U);
+  EXPECT_EQ(count(left, {{1, 9}, {0, 0}, {2, 0}}), 1U);  // no side ends on the right
+  EXPECT_EQ(count(right, right), 2U);                    // each pair ends alike
+  EXPECT_EQ(count(both, none), 1U);
 }
 
 TEST(SignedThinOperand, IsClosedAndChecked) {
