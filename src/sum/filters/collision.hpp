@@ -161,8 +161,8 @@ bool BoxTrees::any_near(const Vec<double>& at, double doubt, Cancellation& cance
   return false;
 }
 
-/// Tells whether edges of one operand may come near a box of the other one, where one of both
-/// operands P and Q is moved to x − Q. A box of few long edges says less than their lines.
+/// Tells whether edges of P may come near a box of x − Q, or edges of x − Q near a box of P. Lines of
+/// long edges tell more than the edges' box.
 class EdgesNearBox {
  public:
   /// x is within `doubt` of `at`.
