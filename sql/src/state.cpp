@@ -199,16 +199,6 @@ void mark(std::string& wkb, std::int32_t srid) {
   wkb.insert(kHeader, number.data(), number.size());
 }
 
-/// Rounds a no-fit polygon. Its tight places lie within its area, and as parts of one set they would
-/// vanish in it. So they are rounded by themselves, to the nearest places.
-Geometry round_fit(const Geometry& polygon, const RoundOptions& target, const Options& options) {
-  Geometry result = round(polygon.region, target, options);
-  Geometry tight = round(Geometry({}, polygon.polylines, polygon.points), {}, options);
-  result.polylines = std::move(tight.polylines);
-  result.points = std::move(tight.points);
-  return result;
-}
-
 }  // namespace
 
 mink_bytes write(mink_state& state, const Geometry& geometry, bool text,
@@ -222,8 +212,10 @@ mink_bytes write(mink_state& state, const Geometry& geometry, bool text,
     written = io::to_wkt(geometry, style);
     if (state.srid) written.insert(0, "SRID=" + std::to_string(*state.srid) + ';');
   } else {
-    written = io::to_wkb(
-        fit ? round_fit(geometry, target, options) : round(geometry, target, options), style);
+    const bool may_be_tight = fit && geometry.has_thin_parts();
+    written = io::to_wkb(may_be_tight ? round_with_tight_places(geometry, target, options)
+                                      : round(geometry, target, options),
+                         style);
     if (state.srid) mark(written, *state.srid);
   }
   return {written.data(), written.size()};
