@@ -165,7 +165,7 @@ Made make_no_fit(Parser& parser, ProcessLimits& limits) {
                 if (!mine.placements.empty()) {
                   return "\"result\":" + contacts_json(contacts(mine, a, b), reference).dump();
                 }
-                const Geometry polygon = rounded_fit_polygon(mine, fit_polygon(mine, a, b));
+                const Geometry polygon = rounded(fit_polygon(mine, a, b), mine);
                 return result_json(polygon, mine) + ",\"reference\":" + point_text(*reference);
               });
 }

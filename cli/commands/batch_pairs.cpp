@@ -211,7 +211,7 @@ class PairRunner {
     sum(fixed, moving, turn, cancel, worker);
     NoFitArguments no_fit = no_fit_;
     no_fit.cancel = cancel;
-    const Geometry shown = rounded_fit_polygon(no_fit, worker.geometry);
+    const Geometry shown = rounded(worker.geometry, no_fit);
     return "\"result\":" + geometry_json(shown, arguments_.format, parts_.system);
   }
 

@@ -136,19 +136,6 @@ Geometry fit_polygon(const NoFitArguments& arguments, const Geometry& fixed,
   return polygon;
 }
 
-Geometry rounded_fit_polygon(const NoFitArguments& arguments, const Geometry& polygon) {
-  if (arguments.inner_fit) return rounded(polygon, arguments);
-  // The tight places of a no-fit polygon lie within its area. As parts of one set they would
-  // vanish in it, so they are rounded separately.
-  ResultArguments nearest = arguments;
-  nearest.rounding = RoundingSide::kNearest;
-  Geometry result = rounded(without_thin_parts(polygon), arguments);
-  Geometry tight = rounded(thin_parts_of(polygon), nearest);
-  result.polylines = std::move(tight.polylines);
-  result.points = std::move(tight.points);
-  return result;
-}
-
 Json contacts_json(const std::vector<const char*>& answers, const std::optional<Point>& reference) {
   Json list = Json::array();
   for (const char* const answer : answers) list.push_back(answer);
@@ -176,7 +163,7 @@ int run_each_no_fit(const NoFitArguments& arguments) {
     return run_each(arguments, [told](const NoFitArguments& mine, const Geometry& fixed,
                                       const Geometry& moving, Worker&) {
       std::call_once(*told, [&] { note(described_reference(mine, moving)); });
-      return rounded_fit_polygon(mine, fit_polygon(mine, fixed, moving));
+      return rounded(fit_polygon(mine, fixed, moving), mine);
     });
   }
   return run_each(arguments, [](const NoFitArguments& mine, const Geometry& fixed,
@@ -196,8 +183,7 @@ int run_no_fit(const NoFitArguments& arguments) {
     thin = {fixed.has_thin_parts(), moving.has_thin_parts()};
     if (!mine.placements.empty()) return write_contacts(mine, fixed, moving);
     const Geometry polygon = fit_polygon(mine, fixed, moving);
-    const Geometry written =
-        made_for(mine.output, [&] { return rounded_fit_polygon(mine, polygon); });
+    const Geometry written = made_for(mine.output, [&] { return rounded(polygon, mine); });
     note_lost_parts(polygon, written, mine.rounding);
     write_geometry(files, mine, written);
     if (!mine.picture.empty()) draw(mine, fixed, moving, polygon, files);

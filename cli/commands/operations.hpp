@@ -103,9 +103,6 @@ int run_operation(const Arguments& arguments, Compute compute, Draw draw) {
 /// Returns the exact no-fit or inner-fit polygon with its tight places.
 [[nodiscard]] Geometry fit_polygon(const NoFitArguments& arguments, const Geometry& fixed,
                                    const Geometry& moving);
-/// Returns that polygon rounded for output; tight places are rounded to the nearest.
-[[nodiscard]] Geometry rounded_fit_polygon(const NoFitArguments& arguments,
-                                           const Geometry& polygon);
 /// Returns "free", "touching" or "overlapping" for each of the requested placements.
 [[nodiscard]] std::vector<const char*> contacts(const NoFitArguments& arguments,
                                                 const Geometry& fixed, const Geometry& moving);

@@ -66,7 +66,14 @@ Geometry rounded_singly(Geometry set, const TransformArguments& arguments, const
   const auto move = [](Point& point) { point = nearest_doubles(point); };
   for (Polyline& polyline : near.polylines) std::ranges::for_each(polyline, move);
   std::ranges::for_each(near.points, move);
-  return resolve(near, part) == near ? near : set;
+  return resolve_with_tight_places(near, part) == near ? near : set;
+}
+
+// Keeps the tight places of a no-fit polygon. Errors are about the first operand.
+Geometry meant_by(const Geometry& given, const Options& options) {
+  Geometry set = resolve(given, options, 0);
+  const bool may_be_tight = given.has_thin_parts() && !set.has_thin_parts();
+  return may_be_tight ? resolve_with_tight_places(given, options) : set;
 }
 
 void draw_image(const TransformArguments& arguments, const Geometry& a, const Geometry&,
@@ -164,13 +171,14 @@ int run_transform(const TransformArguments& arguments) {
 }  // namespace
 
 Geometry image(const TransformArguments& arguments, const Geometry& given) {
-  const Geometry set = resolve(given, arguments.options, 0);
+  const Geometry set = meant_by(given, arguments.options);
   Options part = arguments.options;
   part.fill = FillRule::kAutomatic;
   if (arguments.operation == TransformArguments::Operation::kConvert) {
     return rounded_singly(set, arguments, part);
   }
-  return rounded_singly(resolve(transform(set, arguments.map, part), part), arguments, part);
+  const Geometry moved = resolve_with_tight_places(transform(set, arguments.map, part), part);
+  return rounded_singly(moved, arguments, part);
 }
 
 Command describe_transform(CommandLine& line, TransformArguments& arguments,

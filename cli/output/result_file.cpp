@@ -77,8 +77,11 @@ void write_geometry(OutputFiles& files, const std::string& file, const Geometry&
 
 Geometry rounded(const Geometry& geometry, const ResultArguments& arguments) {
   if (arguments.coordinates.style == io::Coordinates::Style::kExact) return geometry;
-  return round(geometry, rounding_of(arguments),
-               {.cancel = arguments.cancel, .progress = arguments.progress});
+  const RoundOptions target = rounding_of(arguments);
+  const Options options{.cancel = arguments.cancel, .progress = arguments.progress};
+  const bool may_be_tight = geometry.has_thin_parts() && !geometry.region.empty();
+  return may_be_tight ? round_with_tight_places(geometry, target, options)
+                      : round(geometry, target, options);
 }
 
 void note_lost_parts(const Geometry& exact, const Geometry& written, RoundingSide side) {

@@ -30,7 +30,7 @@ void write_geometry(OutputFiles& files, const std::string& file, const Geometry&
                     const std::string* properties = nullptr);
 
 /// Returns the geometry as it is to be written: rounded, or unchanged for exact coordinates. The
-/// geometry must be resolved.
+/// geometry must be resolved, and may have tight places, which are rounded to the nearest.
 [[nodiscard]] Geometry rounded(const Geometry& geometry, const ResultArguments& arguments);
 /// Tells, as a note, how many parts of a geometry are not left in what is written of it, which is
 /// rounded to this side.

@@ -241,6 +241,38 @@ class Geometries(ProgramTest):
                 self.assertEqual(stats["exact"], outside == inside)
                 self.assertLessEqual(stats["largest_move"], stats["bound"])
 
+    def test_tight_places_stay(self):
+        # They vanished in the area around them.
+        slit = "POLYGON ((0 0, 6 0, 6 4, 4 4, 4 1, 2 1, 2 4, 0 4, 0 0))"
+        made = self.fine("nfp", slit, SQUARE, note="placements")
+        self.assertIn("LINESTRING (2 1, 2 4)", made)
+        nfp = self.file("nfp.wkt", made)
+        third = ["--coords", "exact", "--scale", "1/3"]
+        listed = self.file("nfp.geojson", self.fine("convert", nfp, "--format", "geojson"))
+        for file in (nfp, listed):
+            for each in ([], ["--each"]):
+                wkt = [*each, "--format", "wkt"]
+                self.assertEqual(self.fine("convert", file, *wkt), made)
+                self.assertIn("LINESTRING (-2 -4, -2 -1)", self.fine("reflect", file, *wkt))
+                self.assertIn("LINESTRING (5 1, 5 4)",
+                              self.fine("transform", file, "--move", "3,0", *wkt))
+                self.assertIn("LINESTRING (2/3 1/3, 2/3 4/3)",
+                              self.fine("transform", file, *third, *wkt))
+        for side in ("nearest", "outside", "inside"):
+            self.assertIn("LINESTRING (0.67 0.33, 0.67 1.33)",
+                          self.fine("transform", nfp, "--scale", "1/3", "--coords", "decimal:2",
+                                    "--round", side))
+            self.assertIn("LINESTRING (0.6666666666666666 0.3333333333333333, ",
+                          self.fine("transform", nfp, "--scale", "1/3", "--round", side))
+        self.assertNotIn("LINESTRING", self.fine("convert", nfp, "--regularize"))
+        self.fails(2, "", "convert", nfp, "-o", self.folder / "nfp.poly")
+        # Here one of the lines lies elsewhere. So these are parts of the set.
+        self.assertEqual(self.fine("convert", made.replace("LINESTRING (2 1, 2 4)",
+                                   "MULTILINESTRING ((2 1, 2 4), (20 0, 20 1))")).count("("), 4)
+        bow_tie = "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))"
+        both = self.file("both.wkt", f"GEOMETRYCOLLECTION ({bow_tie}, POINT (1 2))")
+        self.fails(2, "both.wkt: polygon 1", "convert", both, "--strict")
+
     def test_parts_that_rounding_loses(self):
         # They vanished in silence.
         grains = ("MULTIPOLYGON (((0 0, 10 0, 10 10, 0 0), (6 2, 6.1 2, 6 2.1, 6 2)), "
