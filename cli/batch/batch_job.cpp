@@ -288,16 +288,19 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
     if (operation.operands == 1 && !job.b.empty()) throw usage(job.operation + " has no 'b'");
     const NamedOperand b = job.b.empty() ? NamedOperand{} : read(job.b, "b", folder_, limits);
     worker.system = in_system_of({}, {a.source, b.source}, {a.name, b.name});
-    if (!operation.note.empty()) notes = to_json(operation.note);
+    const auto add_note = [&notes](const std::string& text) {
+      notes += (notes.empty() ? "" : ",") + to_json(text);
+    };
+    if (!operation.note.empty()) add_note(operation.note);
     for (const NamedOperand* const operand : {&a, &b}) {
       const auto reading =
           reading_of_faults(operand->geometry.region, operation.fill, watch.token());
-      if (!reading) continue;
-      if (!notes.empty()) notes += ',';
-      notes += to_json(operand->name + ": " + *reading);
+      if (reading) add_note(operand->name + ": " + *reading);
     }
     try {
+      worker.notes.clear();
       result = operation.run(a.geometry, b.geometry, watch.token(), worker);
+      std::ranges::for_each(worker.notes, add_note);
     } catch (const Error& error) {
       if (error.code() == ErrorCode::kCancelled) throw;
       fail_about(error, {a.name, b.name});

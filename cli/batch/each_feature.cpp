@@ -144,8 +144,12 @@ Done EachRun::work_on(const Item& item, Worker& worker) const {
       note = ",\"note\":" + to_json(names[0] + ": " + *how);
     }
     try {
+      worker.notes.clear();
       const FeatureAnswer answer = settings_.answer(feature.geometry, second_.geometry, worker);
       member = answer_member(settings_, feature, answer, item.coordinates);
+      for (const std::string& lost : worker.notes) {
+        note += ",\"lost\":" + to_json(names[0] + ": " + lost);
+      }
     } catch (const Error& error) {
       fail_about(error, names, names[0]);
     }

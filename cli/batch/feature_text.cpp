@@ -81,7 +81,10 @@ std::string FeatureText::add(std::string_view line) {
   const auto members = json_members(line);
   if (!members) throw Error(ErrorCode::kInternal, "a line of results is not JSON");
   for (const auto& [key, value] : *members) {
-    if (key == "note" && notes_++ == 0) first_note_ = json_string(value).value_or("");
+    if (key == "note" || key == "lost") {
+      Told& told = key == "note" ? notes_ : losses_;
+      if (told.count++ == 0) told.first = json_string(value).value_or("");
+    }
     if (key == "error") {
       for (const auto& part : json_members(value).value_or(std::vector<JsonMember>())) {
         if (part.key == "message") tell(json_string(part.value).value_or(""));
@@ -103,8 +106,12 @@ std::string FeatureText::end(const io::Coordinates& coordinates) const {
 }
 
 void FeatureText::tell_notes() const {
-  if (notes_ == 0) return;
-  note(first_note_ + (notes_ > 1 ? "; so are " + grouped(notes_ - 1) + " more features" : ""));
+  const auto tell_first = [](const Told& told, const std::string& more) {
+    if (told.count == 0) return;
+    note(told.first + (told.count > 1 ? more + grouped(told.count - 1) + " more features" : ""));
+  };
+  tell_first(notes_, "; so are ");
+  tell_first(losses_, "; it loses parts of ");
 }
 
 }  // namespace minksum::cli

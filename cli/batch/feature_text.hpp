@@ -26,15 +26,19 @@ class FeatureText {
   [[nodiscard]] std::string add(std::string_view line);
   /// Returns the text behind all results, with the reference system if that came late.
   [[nodiscard]] std::string end(const io::Coordinates& coordinates) const;
-  /// Tells how polygons were read that are not valid.
+  /// Tells how polygons were read that are not valid, and what rounding loses.
   void tell_notes() const;
 
  private:
   bool collection_;  ///< a FeatureCollection
   bool any_ = false;
   bool has_crs_ = false;  ///< the beginning names it
-  std::uint64_t notes_ = 0;
-  std::string first_note_;
+  struct Told {
+    std::uint64_t count = 0;
+    std::string first;
+  };
+  Told notes_;
+  Told losses_;
 };
 
 }  // namespace minksum::cli

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "minksum/io.hpp"
 #include "minksum/minkowski_sum.hpp"
@@ -19,8 +20,9 @@ struct ReadyOperation;
 /// Keeps what one thread reuses from task to task.
 struct Worker {
   Workspace memory;
-  Geometry geometry;       ///< the last result, where its memory is worth keeping
-  io::Coordinates system;  ///< the reference system of the job's operands
+  Geometry geometry;               ///< the last result, where its memory is worth keeping
+  io::Coordinates system;          ///< the reference system of the job's operands
+  std::vector<std::string> notes;  ///< what the job's result has lost by rounding
   /// Operations with their options, by the text of a job that asks for them.
   std::map<std::string, std::shared_ptr<const ReadyOperation>> ready;
 };

@@ -69,7 +69,14 @@ Arguments parsed(Parser& parser, ProcessLimits& limits, auto describe, Arguments
   return arguments;
 }
 
-// Makes an operation that calls answer(arguments, a, b), where the arguments have the job's token.
+// Rounds the geometry. The worker's notes get what that loses.
+std::string rounded_json(const Geometry& geometry, const ResultArguments& arguments, Worker& worker,
+                         const char* key = "result") {
+  return result_json(rounded(geometry, arguments, worker.notes), arguments, key);
+}
+
+// Makes an operation that calls answer(arguments, a, b, worker), where the arguments have the job's
+// token.
 template <class Arguments>
 Made made(const Arguments& arguments, auto answer) {
   return {arguments.options.fill,
@@ -81,7 +88,7 @@ Made made(const Arguments& arguments, auto answer) {
               mine.cancel = cancel;
               set_system(mine.coordinates, worker.system);
             }
-            return answer(mine, a, b);
+            return answer(mine, a, b, worker);
           },
           {}};
 }
@@ -106,12 +113,12 @@ Made make_sum(Parser& parser, ProcessLimits& limits) {
     SumSettings settings = arguments.options;
     settings.cancel = cancel;
     settings.memory = &worker.memory;
-    if (!tight) return result_json(rounded(minkowski_sum(a, b, settings), rounding), rounding);
+    if (!tight) return rounded_json(minkowski_sum(a, b, settings), rounding, worker);
     settings.tight = true;
     const DetailedSum sum = detailed_sum(a, b, settings);
-    const std::string json = result_json(rounded(sum.sum, rounding), rounding);
+    const std::string json = rounded_json(sum.sum, rounding, worker);
     rounding.rounding = RoundingSide::kNearest;
-    return json + "," + result_json(rounded(sum.tight, rounding), rounding, "tight");
+    return json + "," + rounded_json(sum.tight, rounding, worker, "tight");
   };
   return {arguments.options.fill, run, {}};
 }
@@ -121,9 +128,8 @@ Made make_morphology(Parser& parser, ProcessLimits& limits) {
   MorphologyArguments arguments;
   arguments.operation = operation;
   return made(parsed(parser, limits, describe_morphology, arguments),
-              [](const MorphologyArguments& mine, const Geometry& a, const Geometry& b) {
-                return result_json(rounded(morphology(mine, a, b), mine), mine);
-              });
+              [](const MorphologyArguments& mine, const Geometry& a, const Geometry& b,
+                 Worker& worker) { return rounded_json(morphology(mine, a, b), mine, worker); });
 }
 
 template <BooleanArguments::Operation operation>
@@ -134,9 +140,8 @@ Made make_boolean(Parser& parser, ProcessLimits& limits) {
     describe_boolean(line, mine, most);
   };
   return made(parsed(parser, limits, describe, arguments),
-              [](const BooleanArguments& mine, const Geometry& a, const Geometry& b) {
-                return result_json(rounded(combined(mine, a, b), mine), mine);
-              });
+              [](const BooleanArguments& mine, const Geometry& a, const Geometry& b,
+                 Worker& worker) { return rounded_json(combined(mine, a, b), mine, worker); });
 }
 
 template <TransformArguments::Operation operation>
@@ -148,9 +153,8 @@ Made make_transform(Parser& parser, ProcessLimits& limits) {
   };
   arguments = parsed(parser, limits, describe, arguments);
   Made image_of =
-      made(arguments, [](const TransformArguments& mine, const Geometry& a, const Geometry&) {
-        return result_json(rounded(image(mine, a), mine), mine);
-      });
+      made(arguments, [](const TransformArguments& mine, const Geometry& a, const Geometry&,
+                         Worker& worker) { return rounded_json(image(mine, a), mine, worker); });
   image_of.note = arguments.turn_note;
   return image_of;
 }
@@ -160,28 +164,29 @@ Made make_no_fit(Parser& parser, ProcessLimits& limits) {
   NoFitArguments arguments;
   arguments.inner_fit = inner_fit;
   return made(parsed(parser, limits, describe_no_fit, arguments),
-              [](const NoFitArguments& mine, const Geometry& a, const Geometry& b) {
+              [](const NoFitArguments& mine, const Geometry& a, const Geometry& b, Worker& worker) {
                 const auto reference = reference_of(mine, b);
                 if (!mine.placements.empty()) {
                   return "\"result\":" + contacts_json(contacts(mine, a, b), reference).dump();
                 }
-                const Geometry polygon = rounded(fit_polygon(mine, a, b), mine);
-                return result_json(polygon, mine) + ",\"reference\":" + point_text(*reference);
+                // This refuses a part without a reference point.
+                const std::string polygon = rounded_json(fit_polygon(mine, a, b), mine, worker);
+                return polygon + ",\"reference\":" + point_text(*reference);
               });
 }
 
 Made make_depth(Parser& parser, ProcessLimits& limits) {
   return made(parsed(parser, limits, describe_depth, DepthArguments()),
-              [](const DepthArguments& mine, const Geometry& a, const Geometry& b) {
+              [](const DepthArguments& mine, const Geometry& a, const Geometry& b, Worker&) {
                 return "\"result\":" + depth_json(mine, find_depth(mine, a, b)).dump();
               });
 }
 
 Made make_offset(Parser& parser, ProcessLimits& limits) {
   return made(parsed(parser, limits, describe_offset, OffsetArguments()),
-              [](const OffsetArguments& mine, const Geometry& a, const Geometry&) {
+              [](const OffsetArguments& mine, const Geometry& a, const Geometry&, Worker& worker) {
                 const Geometry result = offset(a, mine.distance, mine.shape, mine.options);
-                return result_json(rounded(result, mine), mine);
+                return rounded_json(result, mine, worker);
               });
 }
 

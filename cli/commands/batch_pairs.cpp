@@ -211,8 +211,11 @@ class PairRunner {
     sum(fixed, moving, turn, cancel, worker);
     NoFitArguments no_fit = no_fit_;
     no_fit.cancel = cancel;
-    const Geometry shown = rounded(worker.geometry, no_fit);
-    return "\"result\":" + geometry_json(shown, arguments_.format, parts_.system);
+    worker.notes.clear();
+    const Geometry shown = rounded(worker.geometry, no_fit, worker.notes);
+    const std::string notes =
+        worker.notes.empty() ? "" : "\"notes\":[" + to_json(worker.notes.front()) + "],";
+    return notes + "\"result\":" + geometry_json(shown, arguments_.format, parts_.system);
   }
 
   const BatchArguments& arguments_;

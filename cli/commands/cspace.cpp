@@ -4,7 +4,9 @@
 #include <chrono>
 #include <ostream>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "commands/subcommands.hpp"
 #include "options/operation_options.hpp"
@@ -17,6 +19,7 @@
 #include "output/result_file.hpp"
 #include "pictures/cspace_picture.hpp"
 #include "process/failure.hpp"
+#include "process/telling.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -37,6 +40,7 @@ struct CspaceArguments : RobotArguments, ResultArguments {
 /// The texts that the thread of a slice makes from it.
 struct Written {
   std::string feature;
+  std::vector<std::string> notes;  ///< what rounding loses
   std::string picture;
 };
 
@@ -51,7 +55,8 @@ const Geometry& result_of(const Slice& slice, bool free) {
   return free ? slice.free : slice.obstacles;
 }
 
-std::string feature(const Slice& slice, const CspaceArguments& arguments) {
+std::string feature(const Slice& slice, const CspaceArguments& arguments,
+                    std::vector<std::string>& notes) {
   const Turn& turn = slice.turn;
   const Json properties{{"theta", turn.asked.to_double()},
                         {"turned", turn.degrees},
@@ -62,7 +67,7 @@ std::string feature(const Slice& slice, const CspaceArguments& arguments) {
   std::ostringstream out;
   out.exceptions(std::ios::badbit);
   out << R"({"type": "Feature", "properties": )" << properties.dump() << R"(, "geometry": )";
-  io::write(out, rounded(result_of(slice, arguments.free), arguments), io::Format::kGeoJson,
+  io::write(out, rounded(result_of(slice, arguments.free), arguments, notes), io::Format::kGeoJson,
             arguments.coordinates);
   out << '}';
   return std::move(out).str();
@@ -121,7 +126,7 @@ class Run {
       space.for_each_slice(
           turns, arguments_.free,
           [&](std::size_t i, Slice& slice) {
-            written[i].feature = feature(slice, arguments_);
+            written[i].feature = feature(slice, arguments_, written[i].notes);
             if (arguments_.slices.empty()) return;
             written[i].picture =
                 made_for(slice_file(arguments_, i), [&] { return picture.one(slice); });
@@ -135,6 +140,7 @@ class Run {
           });
       out << "\n]}\n";
     });
+    tell_losses(written);
     for (std::size_t i = 0; i < turns.size() && !arguments_.slices.empty(); ++i) {
       save(written[i], i);
     }
@@ -147,6 +153,14 @@ class Run {
   }
 
  private:
+  void tell_losses(const std::vector<Written>& written) const {
+    const auto loses = [](const Written& slice) { return !slice.notes.empty(); };
+    const auto first = std::ranges::find_if(written, loses);
+    if (first == written.end()) return;
+    const auto more = std::ranges::count_if(written, loses) - 1;
+    note("slice " + std::to_string(first - written.begin() + 1) + ": " + first->notes.front() +
+         (more > 0 ? "; it loses parts of " + std::to_string(more) + " more slices" : ""));
+  }
   void save(const Written& written, std::size_t i) const {
     files_.write(slice_file(arguments_, i), [&](std::ostream& out) { out << written.picture; });
   }

@@ -161,9 +161,9 @@ int run_each_no_fit(const NoFitArguments& arguments) {
   if (arguments.placements.empty()) {
     const auto told = std::make_shared<std::once_flag>();
     return run_each(arguments, [told](const NoFitArguments& mine, const Geometry& fixed,
-                                      const Geometry& moving, Worker&) {
+                                      const Geometry& moving, Worker& worker) {
       std::call_once(*told, [&] { note(described_reference(mine, moving)); });
-      return rounded(fit_polygon(mine, fixed, moving), mine);
+      return rounded(fit_polygon(mine, fixed, moving), mine, worker.notes);
     });
   }
   return run_each(arguments, [](const NoFitArguments& mine, const Geometry& fixed,

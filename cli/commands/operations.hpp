@@ -69,10 +69,10 @@ void run_on_operands(const Arguments& given, Work work) {
 template <class Arguments, class Compute, class Draw>
 int run_operation(const Arguments& arguments, Compute compute, Draw draw) {
   if (arguments.each) {
-    return run_each(
-        arguments, [compute](const Arguments& mine, const Geometry& a, const Geometry& b, Worker&) {
-          return rounded(compute(mine, a, b), mine);
-        });
+    return run_each(arguments, [compute](const Arguments& mine, const Geometry& a,
+                                         const Geometry& b, Worker& worker) {
+      return rounded(compute(mine, a, b), mine, worker.notes);
+    });
   }
   run_on_operands(arguments, [&](const Arguments& mine, const Geometry& a, const Geometry& b,
                                  OutputFiles& files) {

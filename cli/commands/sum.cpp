@@ -133,7 +133,7 @@ Geometry sum_of_feature(const SumArguments& arguments, const Geometry& p, const 
                         Worker& worker) {
   SumSettings settings = arguments.options;
   settings.memory = &worker.memory;
-  return rounded(minkowski_sum(p, q, settings), arguments);
+  return rounded(minkowski_sum(p, q, settings), arguments, worker.notes);
 }
 
 int run_sum(const SumArguments& given) {

@@ -1,12 +1,34 @@
 #include "output/result_file.hpp"
 
 #include <ostream>
+#include <utility>
 
 #include "pictures/figure.hpp"
 #include "process/failure.hpp"
 #include "process/telling.hpp"
 
 namespace minksum::cli {
+namespace {
+
+// Returns nothing if no part is lost.
+std::string lost_parts(const Geometry& exact, const Geometry& written, RoundingSide side) {
+  if (side == RoundingSide::kOutside) return {};  // it contains all parts, even if some become one
+  std::string lost;
+  const auto count = [&lost](std::size_t before, std::size_t after, const char* what) {
+    if (after >= before) return;
+    if (!lost.empty()) lost += ", ";
+    lost += std::to_string(before - after) + " of " + std::to_string(before) + ' ' + what;
+  };
+  count(exact.region.polygon_count(), written.region.polygon_count(), "polygons");
+  count(exact.region.hole_count(), written.region.hole_count(), "holes");
+  count(exact.polylines.size(), written.polylines.size(), "polylines");
+  count(exact.points.size(), written.points.size(), "points");
+  if (lost.empty()) return {};
+  return "rounding loses " + lost +
+         ", which vanish or become one with others (--coords exact keeps all)";
+}
+
+}  // namespace
 
 RoundOptions rounding_of(const ResultArguments& arguments) {
   RoundOptions target;
@@ -84,21 +106,17 @@ Geometry rounded(const Geometry& geometry, const ResultArguments& arguments) {
                       : round(geometry, target, options);
 }
 
+Geometry rounded(const Geometry& geometry, const ResultArguments& arguments,
+                 std::vector<std::string>& notes) {
+  Geometry written = rounded(geometry, arguments);
+  std::string lost = lost_parts(geometry, written, arguments.rounding);
+  if (!lost.empty()) notes.push_back(std::move(lost));
+  return written;
+}
+
 void note_lost_parts(const Geometry& exact, const Geometry& written, RoundingSide side) {
-  if (side == RoundingSide::kOutside) return;  // it contains all parts, even if some become one
-  std::string lost;
-  const auto count = [&lost](std::size_t before, std::size_t after, const char* what) {
-    if (after >= before) return;
-    if (!lost.empty()) lost += ", ";
-    lost += std::to_string(before - after) + " of " + std::to_string(before) + ' ' + what;
-  };
-  count(exact.region.polygon_count(), written.region.polygon_count(), "polygons");
-  count(exact.region.hole_count(), written.region.hole_count(), "holes");
-  count(exact.polylines.size(), written.polylines.size(), "polylines");
-  count(exact.points.size(), written.points.size(), "points");
-  if (lost.empty()) return;
-  note("rounding loses " + lost +
-       ", which vanish or become one with others (--coords exact keeps all)");
+  const std::string lost = lost_parts(exact, written, side);
+  if (!lost.empty()) note(lost);
 }
 
 void write_geometry(OutputFiles& files, const ResultArguments& arguments,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "commands/commands.hpp"
 #include "output/output_file.hpp"
@@ -32,6 +33,9 @@ void write_geometry(OutputFiles& files, const std::string& file, const Geometry&
 /// Returns the geometry as it is to be written: rounded, or unchanged for exact coordinates. The
 /// geometry must be resolved, and may have tight places, which are rounded to the nearest.
 [[nodiscard]] Geometry rounded(const Geometry& geometry, const ResultArguments& arguments);
+/// Does the same, and adds to `notes` what rounding loses, if anything.
+[[nodiscard]] Geometry rounded(const Geometry& geometry, const ResultArguments& arguments,
+                               std::vector<std::string>& notes);
 /// Tells, as a note, how many parts of a geometry are not left in what is written of it, which is
 /// rounded to this side.
 void note_lost_parts(const Geometry& exact, const Geometry& written, RoundingSide side);

@@ -494,6 +494,37 @@ class Jobs(BatchTest):
         self.assertIn(" jobs, 0 failed", shown)
         self.assertTrue(shown.endswith("\r\x1b[K"))
 
+    def test_parts_that_rounding_loses(self):
+        # They vanished in silence.
+        grain = wkt("POLYGON ((0 0, 0.1 0, 0 0.1, 0 0))")
+        lost = ("rounding loses 1 of 1 polygons, which vanish or become one with others "
+                "(--coords exact keeps all)")
+        options = {"coords": "decimal:0"}
+        for operation in ("sum", "dilate", "nfp", "union"):
+            job = {"operation": operation, "a": grain, "b": grain}
+            self.assertEqual(self.one(options=options, **job)["notes"], [lost])
+            self.assertNotIn("notes", self.one(**job))
+        for operation, more in (("offset", {"distance": "0.1", "tolerance": "0.01"}),
+                                ("convert", {}), ("reflect", {}), ("transform", {"move": "1,0"})):
+            made = self.one(operation=operation, a=grain, options={**options, **more})
+            self.assertEqual(made["notes"], [lost])
+        bow_tie = wkt("POLYGON ((0 0, 0.1 0.1, 0.1 0, 0 0.1, 0 0))")
+        notes = self.one(operation="convert", a=bow_tie, options=options)["notes"]
+        self.assertEqual((len(notes), "edges cross" in notes[0], "loses" in notes[1]),
+                         (2, True, True))
+        # A job that fails between two others takes nothing from them.
+        found = self.batch([{"operation": "convert", "a": grain, "options": options},
+                            {"operation": "erode", "a": wkt("POLYGON ((0 0"), "b": grain},
+                            {"operation": "convert", "a": wkt(SQUARE), "options": options}],
+                           "--threads", "1", code=2)
+        self.assertEqual(["notes" in job for job in found], [True, False, False])
+        folder = self.folder / "grains"
+        folder.mkdir()
+        (folder / "grain.wkt").write_text(grain["wkt"])
+        for more, count in ((["--coords", "decimal:0"], 1), ([], 0)):
+            made = json.loads(self.fine("batch", "--pairs", folder, "--operation", "nfp", *more))
+            self.assertEqual(made.get("notes", []), [lost] * count)
+
 
 class GoingOn(BatchTest):
     def setUp(self):

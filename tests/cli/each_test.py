@@ -12,6 +12,7 @@ from support import MEMORY_MB, PROGRAM, ProgramTest, run
 
 DATA = os.environ.get("MINKSUM_DATA")
 SQUARE = "[[[0,0],[4,0],[4,4],[0,4],[0,0]]]"
+SQUARE_WKT = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"
 BOW_TIE = "[[[0,0],[4,4],[4,0],[0,4],[0,0]]]"
 CRS = '{"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::3857"}}'
 
@@ -40,6 +41,25 @@ def parts_of_the_collection():
         parts += [feature(polygon(json.dumps(p)), '{"file": "%s"}' % path.name)
                   for p in polygons]
     return parts
+
+
+class Losses(ProgramTest):
+    def test_parts_that_rounding_loses(self):
+        # They vanished in silence.
+        grain = "POLYGON ((0 0, 0.1 0, 0 0.1, 0 0))"
+        grains = self.file("grains.wkt", f"{SQUARE_WKT}\n{grain}\n{grain}\n{grain}\n")
+        told = ("grains.wkt: feature 2: rounding loses 1 of 1 polygons, which vanish or become one "
+                "with others (--coords exact keeps all); it loses parts of 2 more features\n")
+        out = self.folder / "out.wkt"
+        for command in (["sum", grains, "POINT (0 0)"], ["convert", grains]):
+            for more in ([], ["-o", out]):
+                self.fine(*command, "--each", "--coords", "decimal:0", *more, note=told)
+            self.fine(*command, "--each")
+            self.fine(*command, "--each", "--coords", "decimal:0", "-q")
+        self.fine("convert", self.file("one.wkt", f"{SQUARE_WKT}\n{grain}\n"), "--each", "--coords",
+                  "decimal:0", note="(--coords exact keeps all)\n")
+        told = run("nfp", grains, grain, "--each", "--coords", "decimal:0").stderr.decode()
+        self.assertIn("feature 2: rounding loses", told)
 
 
 class Each(ProgramTest):

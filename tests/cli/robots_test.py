@@ -51,6 +51,15 @@ class ConfigurationSpace(Robots):
         self.assertEqual(self.slices(self.square, self.walls, "--theta", "5:5:9")[0], self.slices(
             self.square, self.walls, "--theta", "5:13:9")[0])
 
+    def test_parts_that_rounding_loses(self):
+        grain = self.file("grain.wkt", "POLYGON ((0 0, 0.1 0, 0 0.1, 0 0))")
+        told = "minksum: slice 1: rounding loses 1 of 1 polygons, "
+        self.slices(grain, grain, "--angles", 1, "--coords", "decimal:0", note=told)
+        found = run("cspace", grain, grain, "--angles", 3, "--coords", "decimal:0").stderr.decode()
+        self.assertTrue(found.startswith(told) and
+                        found.endswith("; it loses parts of 2 more slices\n"), found)
+        self.slices(grain, grain, "--angles", 3)
+
     # Each slice is the sum with the robot turned as the slice's properties say.
     def test_slices_are_sums(self):
         found = self.slices(self.square, self.walls, "--angles", 7, "--coords", "exact",
