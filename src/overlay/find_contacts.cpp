@@ -25,10 +25,10 @@ struct Slant {
 
 class ContactFinder {
  public:
-  ContactFinder(const Segments& segments, std::size_t max_touches, Contacts& contacts)
+  ContactFinder(const Segments& segments, const MostContacts& most, Contacts& contacts)
       : segments_(segments),
         predicates_(segments.predicates),
-        max_touches_(max_touches),
+        most_(most),
         cancellation_(segments.cancellation()),
         contacts_(contacts),
         max_crossings_(std::min(cancellation_.options().limits.max_crossings, kMaxCrossings)),
@@ -53,7 +53,9 @@ class ContactFinder {
   static constexpr std::size_t kPairsOfASweep = 128;  ///< take as long as sweeping one segment
   static constexpr std::uint64_t kMaxCrossings = std::uint64_t{1} << 30U;  // fit in 32-bit numbers
 
-  [[nodiscard]] bool too_many() const { return contacts_.touches.size() > max_touches_; }
+  [[nodiscard]] bool too_many() const {
+    return contacts_.touches.size() > most_.touches || contacts_.crossings.size() > most_.crossings;
+  }
   [[nodiscard]] const Ends& ends(SegmentId s) const {
     return s < segments_.list.size() ? segments_.list[s].ends
                                      : lone_points_[s - segments_.list.size()];
@@ -266,7 +268,7 @@ class ContactFinder {
 
   const Segments& segments_;
   const Predicates& predicates_;
-  std::size_t max_touches_;
+  MostContacts most_;
   Cancellation& cancellation_;
   Contacts& contacts_;
   std::uint64_t max_crossings_;
@@ -284,8 +286,8 @@ class ContactFinder {
 
 }  // namespace
 
-bool find_contacts(const Segments& segments, std::size_t max_touches, Contacts& contacts) {
-  return ContactFinder(segments, max_touches, contacts).run();
+bool find_contacts(const Segments& segments, const MostContacts& most, Contacts& contacts) {
+  return ContactFinder(segments, most, contacts).run();
 }
 
 }  // namespace minksum::overlay

@@ -77,5 +77,8 @@ struct Chain {
 /// do not count.
 [[nodiscard]] Geometry select(std::span<const Chain> chains, const Rule& rule,
                               const Options& options, std::uint64_t* crossings = nullptr);
+/// Does what `select` does, but returns nothing if far more segments cross than chains have.
+[[nodiscard]] std::optional<Geometry> select_if_few_cross(std::span<const Chain> chains,
+                                                          const Rule& rule, const Options& options);
 
 }  // namespace minksum::overlay

@@ -81,6 +81,11 @@ struct Contacts {
   std::vector<Touch> touches;  ///< each once, and each crossing once
   std::vector<Crossing> crossings;
 };
+/// How many contacts are sought. Those found twice may count twice.
+struct MostContacts {
+  std::size_t touches;
+  std::size_t crossings;
+};
 
 struct Node {
   ApproximateLocation at;
@@ -134,9 +139,9 @@ struct Subdivision {
 
 /// Finds all touches and crossings. Cells are divided at medians, and each segment's box is cut to
 /// its cell. If two segments meet, they do so in some cell where both boxes hold the point. Gives
-/// up and returns false if there are more than `max_touches` touches. Throws Error(kLimitExceeded)
-/// as `select` does.
-[[nodiscard]] bool find_contacts(const Segments& segments, std::size_t max_touches,
+/// up and returns false if there are more contacts than `most`. Throws Error(kLimitExceeded) as
+/// `select` does.
+[[nodiscard]] bool find_contacts(const Segments& segments, const MostContacts& most,
                                  Contacts& contacts);
 
 /// Finds all touches of segments that neither cross nor overlap, in O(n log n). Such segments are

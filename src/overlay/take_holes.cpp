@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "minksum/validity.hpp"
+#include "overlay/boolean.hpp"
 #include "overlay/chains.hpp"
 #include "region/region_access.hpp"
 
@@ -105,8 +106,7 @@ class PolygonReader {
 Geometry take_holes_away(const Geometry& geometry, const Options& options) {
   const Region& region = geometry.region;
   std::vector<Geometry> read;
-  read.reserve(region.polygon_count());
-  std::vector<Chain> chains;
+  read.reserve(region.polygon_count() + 1);
   for (const std::size_t polygon : region.polygons()) {
     const IndexRange rings = region.rings_of(polygon);
     if (rings.empty()) continue;
@@ -114,14 +114,9 @@ Geometry take_holes_away(const Geometry& geometry, const Options& options) {
     if (!is_valid(read.back().region, options)) {
       read.back() = PolygonReader(region, rings, options).run();
     }
-    list_by_role(read.back().region, chains, [](Chain& chain) { chain.weight.first = 1; });
   }
-  ThinStore thin;
-  Cancellation cancellation(options, Stage::kOverlay);
-  for (const Geometry& part : read) thin.add(part, cancellation);
-  if (!options.regularize) thin.add(geometry, cancellation);
-  thin.list_chains(chains);
-  return select(chains, {wound_around}, options);
+  if (!options.regularize) read.push_back({{}, geometry.polylines, geometry.points});
+  return unite(read, options);
 }
 
 }  // namespace minksum::overlay

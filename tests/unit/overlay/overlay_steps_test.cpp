@@ -147,7 +147,7 @@ Steps run_steps(const Geometry& geometry, bool joined = false) {
   Steps steps;
   steps.segments = list_segments(chains_of(geometry, *steps.store), *steps.never);
   if (joined) join_lines(steps.segments);
-  EXPECT_TRUE(find_contacts(steps.segments, SIZE_MAX, steps.contacts));
+  EXPECT_TRUE(find_contacts(steps.segments, {SIZE_MAX, SIZE_MAX}, steps.contacts));
   steps.subdivision = subdivide(steps.segments, steps.contacts);
   sweep(steps.segments, {[](const Winding& w) { return w.first != 0; }}, steps.subdivision);
   return steps;
@@ -194,7 +194,7 @@ TEST(OverlaySteps, NestedSegmentsHaveFewTouchesOnceJoined) {
   EXPECT_LT(joined.contacts.touches.size(), 500U);
   EXPECT_EQ(result_of(joined), result_of(plain));
   Contacts contacts;
-  EXPECT_FALSE(find_contacts(plain.segments, 9000, contacts));
+  EXPECT_FALSE(find_contacts(plain.segments, {9000, SIZE_MAX}, contacts));
 }
 
 TEST(OverlaySteps, CrossingsAreLimitedAndCounted) {

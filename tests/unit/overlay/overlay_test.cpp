@@ -1,6 +1,7 @@
 // Tests fill rules, boolean operations and point location on shapes that one can draw.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "minksum/boolean.hpp"
@@ -254,6 +255,42 @@ TEST(Boolean, UnionOfThinAndThick) {
   EXPECT_EQ(result.region.polygon_count(), 2U);
   EXPECT_EQ(result.polylines, (std::vector<Polyline>{{{-1, 1}, {0, 1}}, {{2, 1}, {4, 1}}}));
   EXPECT_EQ(result.points, (std::vector<Point>{{5, 5}}));
+}
+
+// Where many sets overlap, they are united in groups.
+TEST(Boolean, UnionOfManyIsThatOfAllAtOnce) {
+  Options positive;
+  positive.fill = FillRule::kPositive;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    test::Random random(seed);
+    const int spread = std::array{2, 12, 60}[seed % 3];
+    const auto scale = test::random_scaling(random);
+    std::vector<Geometry> sets;
+    Geometry all;
+    for (int i = 0; i < 40; ++i) {
+      const Point by{random.between(0, spread), random.between(0, spread)};
+      const auto moved = [&](const Point& at) { return scale({at.x * 3 + by.x, at.y * 2 + by.y}); };
+      const Geometry set = resolve(test::transformed(test::random_mess(random), moved));
+      all.region = test::together(all.region, set.region);
+      all.polylines.insert(all.polylines.end(), set.polylines.begin(), set.polylines.end());
+      all.points.insert(all.points.end(), set.points.begin(), set.points.end());
+      sets.push_back(set);
+    }
+    EXPECT_EQ(unite(sets), resolve(all, positive)) << seed;
+  }
+}
+
+TEST(Boolean, UnionOfManyDoesNotMakeBuriedCrossings) {
+  std::vector<Region> squares;
+  Region all;
+  for (int i = 0; i < 300; ++i) {
+    const int x = i * 7 % 300;
+    squares.push_back(rectangle(x, i, 1000 + x, 1000 + i));
+    all = test::together(all, squares.back());
+  }
+  Options options;
+  options.limits.max_crossings = 20000;  // nearly all of the 44,850 pairs of squares cross twice
+  EXPECT_EQ(unite(squares, options), resolved(all, FillRule::kPositive).region);
 }
 
 TEST(Boolean, ResultsHaveNoOrigins) {
