@@ -141,6 +141,43 @@ class Gdal(ProgramTest):
         self.assertEqual(self.fine("convert", path, "--drop-z", "--format", "wkt"),
                          "SRID=4979;LINESTRING (0 0, 1 2)\n")
 
+    def test_curves_are_refused(self):
+        advice = " is not supported: flatten it first, as by ogr2ogr -f GeoJSON result.json FILE"
+        for curve, kind in (("ELLIPSE 0 0 4 2", "ELLIPSE"), ("  Arc 0 0 4 2\n0 90", "ARC"),
+                            ("RoundRect 0 0 4 2 1", "ROUNDRECT"), ("RECT 0 0 4 2", None)):
+            path = self.file("some.mif", "Version 300\nColumns 1\n  Arc Char(9)\nData\n"
+                             f"POINT 1 2\n{curve}\n")
+            self.file("some.mid", '"a"\n"b"\n')
+            if kind:
+                self.fails(2, f"{path}:6: {kind}{advice}", "convert", path)
+            else:
+                self.fine("convert", path)
+        # ogr2ogr writes no ellipse into a table, so a polygon is renamed.
+        path = self.made("MapInfo File", "table.tab")
+        for code, kind in ((0x0A, "ARC"), (0x17, "ROUNDRECT"), (0x19, "ELLIPSE")):
+            place = int.from_bytes(path.with_suffix(".id").read_bytes()[8:12], "little")
+            objects = bytearray(path.with_suffix(".map").read_bytes())
+            objects[place] = code
+            path.with_suffix(".map").write_bytes(objects)
+            self.fails(2, f"{path}: feature 3: {kind}{advice}", "convert", path)
+        for number, shape in enumerate(("CIRCULARSTRING (0 0, 1 1, 2 0)",
+                                        "CURVEPOLYGON (CIRCULARSTRING (0 0, 4 0, 4 4, 0 4, 0 0))")):
+            source = self.file("shape.csv", f'id,WKT\n1,"{shape}"\n')
+            path = self.made("GPKG", f"{number}.gpkg", source=source)
+            self.fails(2, f"{path}: feature 1: {shape.split()[0]}{advice}", "convert", path)
+        # In degrees GDAL flattens an arc that has a centre.
+        text = ('<ogr:FeatureCollection xmlns:ogr="http://ogr.maptools.org/" '
+                'xmlns:gml="http://www.opengis.net/gml">\n<gml:featureMember><ogr:c><ogr:g>'
+                '<gml:Curve srsName="EPSG:4326"><gml:segments><gml:ArcByCenterPoint>\n'
+                '<gml:pos>1 1</gml:pos><gml:radius uom="m">2</gml:radius>'
+                '<gml:startAngle uom="degree">0</gml:startAngle>'
+                '<gml:endAngle uom="degree">90</gml:endAngle></gml:ArcByCenterPoint>'
+                '</gml:segments></gml:Curve></ogr:g></ogr:c></gml:featureMember>'
+                '</ogr:FeatureCollection>')
+        for name in ("arc.gml", "arc.bin"):
+            path = self.file(name, text)
+            self.fails(2, f"{path}:2: ArcByCenterPoint{advice}", "convert", path)
+
     def test_features_without_a_shape(self):
         some = self.file("some.geojson", collection([
             {"type": "Feature", "properties": {"a": 1}, "geometry": None},

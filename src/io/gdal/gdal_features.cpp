@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "io/gdal/flattened.hpp"
 #include "io/gdal/gdal.hpp"
 #include "io/gdal/library.hpp"
 #include "io/gdal/records.hpp"
@@ -65,10 +66,12 @@ using Owned = std::unique_ptr<void, void (*)(Handle)>;
 
 class LayerReader {
  public:
-  LayerReader(const Library& gdal, Handle layer, const ReadOptions& options)
+  LayerReader(const Library& gdal, Handle dataset, Handle layer, const ReadOptions& options,
+              bool is_gml)
       : gdal_(gdal),
         layer_(layer),
         options_(options),
+        curves_(gdal, dataset, gdal.OGR_L_GetName(layer), is_gml),
         cancel_{.cancel = options.cancel},
         cancellation_(cancel_) {}
 
@@ -120,6 +123,9 @@ class LayerReader {
 
   void add(Handle feature) {
     const std::int64_t number = gdal_.OGR_F_GetFID(feature);
+    if (const char* const curve = curves_.name_of(number)) {
+      fail(in_feature() + curve + gdal::kNotSupported + gdal::kFlattenFirst);
+    }
     const std::string id = number < 0 ? "" : std::to_string(number);
     const std::string properties = properties_of(feature);
     const Handle geometry = gdal_.OGR_F_GetGeometryRef(feature);
@@ -192,6 +198,7 @@ class LayerReader {
   const Library& gdal_;
   Handle layer_;
   const ReadOptions& options_;
+  gdal::FlattenedCurves curves_;
   Options cancel_;  ///< of reading
   Cancellation cancellation_;
   std::string text_;
@@ -245,7 +252,7 @@ std::optional<std::string> features_by_gdal(const std::string& path, const std::
          (is_archive ? "; unpack it, if it holds a folder, or what is read without GDAL" : ""));
   }
   const Handle layer = choose_layer(*gdal, dataset.get(), options.drawing.layer);
-  LayerReader reader(*gdal, layer, options);
+  LayerReader reader(*gdal, dataset.get(), layer, options, name == "GML");
   std::string features = reader.read();
   // GDAL finds the end of a FlatGeobuf that is cut off without an error. Other formats may count
   // deleted features.

@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "io/formats.hpp"
+#include "io/gdal/flattened.hpp"
 #include "io/gdal/gdal.hpp"
 #include "io/gdal/records.hpp"
 #include "io/text_cursor.hpp"
@@ -42,6 +43,11 @@ class GdalSource : public FeatureSource {
       // The byte is one of the WKB, which the user never sees.
       std::string message = error.what();
       if (message.starts_with("byte ")) message.erase(0, message.find(": ") + 2);
+      const auto names = [&message](std::string_view word) {
+        return message.find(word) != std::string::npos;
+      };
+      const bool is_curve = names("CURVE") || names("CIRCULARSTRING") || names("MULTISURFACE");
+      if (is_curve && names(gdal::kNotSupported)) message += gdal::kFlattenFirst;
       throw ReadError(error.code(), "feature " + std::to_string(count_) + ": " + message, 0, 0,
                       error.limit());
     }

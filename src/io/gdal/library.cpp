@@ -48,6 +48,7 @@ std::optional<Library> load() {
   MINKSUM_FIND(GDALAllRegister);
   MINKSUM_FIND(GDALOpenEx);
   MINKSUM_FIND(GDALClose);
+  MINKSUM_FIND(GDALGetFileList);
   MINKSUM_FIND(GDALDatasetGetLayerCount);
   MINKSUM_FIND(GDALDatasetGetLayer);
   MINKSUM_FIND(OGR_L_GetName);
@@ -72,6 +73,12 @@ std::optional<Library> load() {
   MINKSUM_FIND(OGR_G_ExportToIsoWkb);
   MINKSUM_FIND(OSRGetAuthorityName);
   MINKSUM_FIND(OSRGetAuthorityCode);
+  MINKSUM_FIND(CSLDestroy);
+  MINKSUM_FIND(VSIFOpenL);
+  MINKSUM_FIND(VSIFCloseL);
+  MINKSUM_FIND(VSIFSeekL);
+  MINKSUM_FIND(VSIFReadL);
+  MINKSUM_FIND(CPLReadLineL);
   MINKSUM_FIND(CPLPushErrorHandler);
   MINKSUM_FIND(CPLPopErrorHandler);
   MINKSUM_FIND(CPLQuietErrorHandler);

@@ -1,6 +1,7 @@
 // Finds GDAL at run time, and declares what is used of it. Nothing of GDAL is needed to build.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace minksum::io::gdal {
@@ -13,6 +14,7 @@ struct Library {
   Handle (*GDALOpenEx)(const char* name, unsigned flags, const char* const* drivers,
                        const char* const* options, const char* const* siblings);
   void (*GDALClose)(Handle dataset);
+  char** (*GDALGetFileList)(Handle dataset);
   int (*GDALDatasetGetLayerCount)(Handle dataset);
   Handle (*GDALDatasetGetLayer)(Handle dataset, int index);
   const char* (*OGR_L_GetName)(Handle layer);
@@ -37,6 +39,12 @@ struct Library {
   int (*OGR_G_ExportToIsoWkb)(Handle geometry, int byte_order, unsigned char* out);
   const char* (*OSRGetAuthorityName)(Handle system, const char* node);
   const char* (*OSRGetAuthorityCode)(Handle system, const char* node);
+  void (*CSLDestroy)(char** list);
+  Handle (*VSIFOpenL)(const char* name, const char* mode);
+  int (*VSIFCloseL)(Handle file);
+  int (*VSIFSeekL)(Handle file, std::uint64_t offset, int whence);
+  std::size_t (*VSIFReadL)(void* out, std::size_t size, std::size_t count, Handle file);
+  const char* (*CPLReadLineL)(Handle file);
   void (*CPLPushErrorHandler)(void (*handler)(int, int, const char*));
   void (*CPLPopErrorHandler)();
   void (*CPLQuietErrorHandler)(int, int, const char*);
