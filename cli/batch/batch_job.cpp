@@ -293,6 +293,9 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
     };
     if (!operation.note.empty()) add_note(operation.note);
     for (const NamedOperand* const operand : {&a, &b}) {
+      for (const std::string& text : notes_on(operand->source)) {
+        add_note(operand->name + ": " + text);
+      }
       const auto reading =
           reading_of_faults(operand->geometry.region, operation.fill, watch.token());
       if (reading) add_note(operand->name + ": " + *reading);

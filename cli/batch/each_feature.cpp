@@ -173,7 +173,7 @@ Work EachRun::work() {
 }
 
 void EachRun::tell_end() const {
-  if (const auto skipped = note_of_skipped(reader_->source())) note(name_ + ": " + *skipped);
+  for (const std::string& text : notes_on(reader_->source())) note(name_ + ": " + text);
   if (settings_.json || settings_.result.format == io::Format::kGeoJson) return;
   if (has_properties_) {
     note("properties have no place in this format; --format geojson keeps them");

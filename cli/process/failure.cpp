@@ -163,14 +163,7 @@ io::Document read_operand(const std::string& file, const io::ReadOptions& limits
       mark_taken_by(io::detect_format(text));
       document = io::read_document(text, limits);
     }
-    if (const auto skipped = note_of_skipped(document.source)) {
-      note(shown_name(file) + ": " + *skipped);
-    }
-    const io::SourceInfo& source = document.source;
-    if (!source.unit.empty()) {
-      note(shown_name(file) + ": a drawing, whose unit is " + source.unit +
-           (source.remarks.empty() ? "" : "; " + source.remarks));
-    }
+    for (const std::string& text : notes_on(document.source)) note(shown_name(file) + ": " + text);
     tell_detail(shown_name(file) + ": " + summary(document.geometry));
     return document;
   } catch (const Error& error) {
@@ -178,18 +171,23 @@ io::Document read_operand(const std::string& file, const io::ReadOptions& limits
   }
 }
 
-std::optional<std::string> note_of_skipped(const io::SourceInfo& source) {
+std::vector<std::string> notes_on(const io::SourceInfo& source) {
+  std::vector<std::string> notes;
+  std::string about = source.unit.empty() ? "" : "a drawing, whose unit is " + source.unit;
+  if (!source.remarks.empty()) about += (about.empty() ? "" : "; ") + source.remarks;
+  if (!about.empty()) notes.push_back(std::move(about));
   const std::size_t without = source.null_geometries;
   const std::size_t empty = source.features > 1 ? source.empty_geometries : 0;
-  if (without + empty == 0) return {};
+  if (without + empty == 0) return notes;
   const auto counted = [](std::size_t count, const char* what) {
     return std::to_string(count) + (count == 1 ? " has " : " have ") + what;
   };
-  std::string note = std::to_string(without + empty) + " of " + std::to_string(source.features) +
-                     " features skipped: ";
-  if (without > 0) note += counted(without, "no geometry");
-  if (empty > 0) note += (without > 0 ? ", " : "") + counted(empty, "an empty one");
-  return note;
+  std::string skipped = std::to_string(without + empty) + " of " + std::to_string(source.features) +
+                        " features skipped: ";
+  if (without > 0) skipped += counted(without, "no geometry");
+  if (empty > 0) skipped += (without > 0 ? ", " : "") + counted(empty, "an empty one");
+  notes.push_back(std::move(skipped));
+  return notes;
 }
 
 io::Document read_operand(const std::string& file, const io::ReadOptions& limits, FillRule fill) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "commands/commands.hpp"
 #include "minksum/error.hpp"
@@ -57,16 +58,17 @@ auto made_for(const std::string& output, Make make) {
   }
 }
 
-/// Reads an operand. Throws a Failure that names the file. A note on standard error says how many
-/// features have no shape.
+/// Reads an operand. Throws a Failure that names the file. Notes on standard error are those of
+/// `notes_on`.
 [[nodiscard]] io::Document read_operand(const std::string& file, const io::ReadOptions& limits);
 /// Does the same for an operand that will be resolved by this rule. If its polygons are not valid,
 /// a note on standard error says how they are read.
 [[nodiscard]] io::Document read_operand(const std::string& file, const io::ReadOptions& limits,
                                         FillRule fill);
 
-/// Returns how many features have no shape, or nothing if all that matter have one.
-[[nodiscard]] std::optional<std::string> note_of_skipped(const io::SourceInfo& source);
+/// Returns what is told about an operand: its unit, what was not read of it, and how many features
+/// have no shape.
+[[nodiscard]] std::vector<std::string> notes_on(const io::SourceInfo& source);
 
 /// Returns why the polygons are not valid and how this rule reads them. Returns nothing if they are
 /// valid or if the rule refuses them.

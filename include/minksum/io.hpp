@@ -85,12 +85,15 @@ struct ReadOptions {
 struct SourceInfo {
   /// The number of the reference system (EWKT, EWKB); 0, which means unknown, counts as nothing.
   std::optional<std::int32_t> srid = {};
-  std::string crs = {};              ///< the member `crs` of GeoJSON, as it is written; or ""
+  /// The member `crs` of GeoJSON, as it is written, or one that names a system of another authority
+  /// than EPSG in a file that GDAL opens; or "".
+  std::string crs = {};
   std::size_t features = 0;          ///< features, including those without a shape
   std::size_t null_geometries = 0;   ///< features whose geometry is `null`, or an empty cell
   std::size_t empty_geometries = 0;  ///< features whose geometry is empty
-  std::string unit = {};     ///< what the coordinates of a drawing count, such as "mm"; or ""
-  std::string remarks = {};  ///< on a drawing, such as "not read: 2 TEXT, 1 HATCH"; or ""
+  std::string unit = {};  ///< what the coordinates of a drawing count, such as "mm"; or ""
+  /// What a result cannot show, such as "not read: 2 TEXT, 1 HATCH" of a drawing; or "".
+  std::string remarks = {};
 };
 
 /// All that a text holds, as one set.

@@ -153,6 +153,8 @@ class Jobs(BatchTest):
         table = wkt("a,b\nPOINT (1 2),POINT (3 4)\n")
         given = self.one(operation="convert", a=table, options={"column": "b"})
         self.assertEqual(given["result"]["wkt"], "POINT (3 4)")
+        given = self.one(operation="convert", a=wkt("id,geom\n1,POINT (1 2)\n2,\n"))
+        self.assertEqual(given["notes"], ["a: 1 of 2 features skipped: 1 has no geometry"])
 
     def test_reference_systems(self):
         here, there = wkt("SRID=4326;POINT (1 2)"), wkt("SRID=3857;POINT (1 2)")

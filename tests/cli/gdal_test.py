@@ -131,6 +131,22 @@ class Gdal(ProgramTest):
         self.fails(2, "the reference system EPSG:4326 differs from EPSG:3857", "sum", path,
                    "SRID=4326;POINT (0 0)", "-q")
 
+    def test_systems_that_have_no_number(self):
+        lost = "the reference system of the operands has no place in this format"
+        points = self.file("points.geojson", collection(features(5, "Point")))
+        path = self.made("GPKG", "other.gpkg", ["-a_srs", "ESRI:102003"], points)
+        made = json.loads(self.fine("convert", path, "--each"))
+        self.assertEqual(made["crs"]["properties"], {"name": "urn:ogc:def:crs:ESRI::102003"})
+        self.fine("convert", path, "--format", "wkt", note=lost)
+        self.fails(2, "the reference system EPSG:4326 differs from ", "sum", path,
+                   "SRID=4326;POINT (0 0)", "-q")
+        path = self.made("GPKG", "none.gpkg", ["-a_srs", "+proj=lcc +lat_1=49 +lat_2=44"], points)
+        note = f"{path}: the reference system has no number, and no result names it"
+        self.fine("convert", path, note=note)
+        self.assertNotIn("crs", json.loads(self.fine("convert", path, "--each", note=note)))
+        job = json.dumps({"operation": "convert", "a": str(path)})
+        self.assertIn(note, json.loads(run("batch", "-", stdin=job).stdout)["notes"])
+
     def test_heights(self):
         high = self.file("high.geojson", collection([
             {"type": "Feature", "properties": {}, "geometry": {

@@ -33,7 +33,10 @@ std::string bytes_of(std::string_view digits) {
 
 std::string handed_over(std::string_view lines, std::uint8_t cut) {
   std::string text(gdal::kMark);
-  append(text, std::int32_t{cut % 2 == 0 ? 4326 : 0});
+  const std::string_view code = cut % 3 == 0 ? "ESRI::102003" : "";
+  append(text, gdal::System{cut % 2 == 0 ? 4326 : gdal::System::kUnnamed,
+                            static_cast<std::uint32_t>(code.size())});
+  text += code;
   while (!lines.empty()) {
     std::string_view line = take(lines, '\n');
     const std::string_view id = take(line, '\t');

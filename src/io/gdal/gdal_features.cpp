@@ -77,7 +77,7 @@ class LayerReader {
 
   std::string read() {
     text_ = gdal::kMark;
-    append(srid());
+    append_system();
     for (;;) {
       gdal_.CPLErrorReset();
       const Owned feature(gdal_.OGR_L_GetNextFeature(layer_), gdal_.OGR_F_Destroy);
@@ -110,15 +110,19 @@ class LayerReader {
   }
 
  private:
-  [[nodiscard]] std::int32_t srid() const {
+  void append_system() {
+    using gdal::System;
     const Handle system = gdal_.OGR_L_GetSpatialRef(layer_);
-    if (system == nullptr) return 0;
+    if (system == nullptr) return append(System{0, 0});
     const char* const authority = gdal_.OSRGetAuthorityName(system, nullptr);
     const char* const code = gdal_.OSRGetAuthorityCode(system, nullptr);
-    if (authority == nullptr || code == nullptr) return 0;
+    if (authority == nullptr || code == nullptr) return append(System{System::kUnnamed, 0});
     constexpr std::int32_t kWgs84 = 4326;
-    if (std::string_view(code) == "CRS84") return kWgs84;
-    return std::string_view(authority) == "EPSG" ? std::atoi(code) : 0;
+    if (std::string_view(code) == "CRS84") return append(System{kWgs84, 0});
+    if (std::string_view(authority) == "EPSG") return append(System{std::atoi(code), 0});
+    const std::string name = std::string(authority) + "::" + code;
+    append(System{0, static_cast<std::uint32_t>(name.size())});
+    text_ += name;
   }
 
   void add(Handle feature) {

@@ -1,10 +1,12 @@
 // Reads what GDAL has handed over. A file may pretend to be that, so lengths are checked.
+#include <algorithm>
 #include <cstring>
 
 #include "io/formats.hpp"
 #include "io/gdal/flattened.hpp"
 #include "io/gdal/gdal.hpp"
 #include "io/gdal/records.hpp"
+#include "io/json_string.hpp"
 #include "io/text_cursor.hpp"
 
 namespace minksum::io {
@@ -19,7 +21,7 @@ class GdalSource : public FeatureSource {
         options_(options) {
     builder_.follow(cursor_);
     cursor_.advance(gdal::kMark.size());
-    builder_.set_srid(take<std::int32_t>(), cursor_.position());
+    take_system();
   }
 
   [[nodiscard]] std::string properties() const override { return std::string(properties_); }
@@ -53,6 +55,20 @@ class GdalSource : public FeatureSource {
     }
     builder_.follow(cursor_);
     return true;
+  }
+
+  void take_system() {
+    const auto system = take<gdal::System>();
+    const std::string code(take_text(system.code));
+    builder_.set_srid(std::max(system.number, 0), cursor_.position());
+    if (system.number == gdal::System::kUnnamed) {
+      builder_.source().remarks = "the reference system has no number, and no result names it";
+    }
+    if (code.empty()) return;
+    if (!is_utf8(code)) cursor_.fail("the reference system is not UTF-8");
+    builder_.set_crs(R"({"type": "name", "properties": {"name": )" +
+                         json_string("urn:ogc:def:crs:" + code) + "}}",
+                     cursor_.position());
   }
 
   template <class Value>
