@@ -5,6 +5,7 @@
 #include <new>
 
 #include "minksum/version.hpp"
+#include "options/unused_options.hpp"
 #include "output/json_members.hpp"
 #include "output/result_file.hpp"
 #include "process/failure.hpp"
@@ -113,19 +114,21 @@ struct NamedOperand {
   Geometry geometry;
   io::SourceInfo source;
   std::string name;
+  io::Format format = io::Format::kWkt;
 };
 
 NamedOperand read(std::string_view value, const char* name, const std::string& folder,
                   const io::ReadOptions& limits) {
-  const auto named = [](io::Document document, std::string shown) -> NamedOperand {
-    return {std::move(document.geometry), std::move(document.source), std::move(shown)};
-  };
-  const auto read_text = [&](std::string_view text) {
+  const auto read_text = [&](auto load, const std::string& shown) -> NamedOperand {
     try {
-      return named(io::read_document(text, limits), name);
+      const auto& text = load();
+      const io::Format format = io::detect_format(text);
+      mark_taken_by(format);
+      io::Document document = io::read_document(text, limits);
+      return {std::move(document.geometry), std::move(document.source), shown, format};
     } catch (const Error& error) {
       if (error.code() == ErrorCode::kCancelled) throw;
-      throw failure_of(error, name);
+      throw failure_of(error, shown);
     }
   };
   if (const auto path = json_string(value)) {
@@ -138,12 +141,7 @@ NamedOperand read(std::string_view value, const char* name, const std::string& f
     if (is_special(file)) {
       throw Failure(kBadInput, *path + ": is no file; jobs read no pipes, devices, and folders");
     }
-    try {
-      return named(io::read_document_file(file, limits), *path);
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::kCancelled) throw;
-      throw failure_of(error, *path);
-    }
+    return read_text([&] { return io::load_text(file, limits); }, *path);
   }
   if (value.front() != '{') {
     throw usage(std::string("'") + name +
@@ -153,9 +151,9 @@ NamedOperand read(std::string_view value, const char* name, const std::string& f
   if (members && members->size() == 1 && members->front().key == "wkt") {
     const auto text = json_string(members->front().value);
     if (!text) throw usage(std::string("'wkt' of '") + name + "' is a string");
-    return read_text(*text);
+    return read_text([&] { return std::string_view(*text); }, name);
   }
-  return read_text(value);
+  return read_text([&] { return value; }, name);
 }
 
 const ReadyOperation& ready(const Job& job, const BatchArguments& arguments, Worker& worker) {
@@ -292,6 +290,11 @@ Done JobRunner::run(const JobLine& line, Worker& worker) {
       notes += (notes.empty() ? "" : ",") + to_json(text);
     };
     if (!operation.note.empty()) add_note(operation.note);
+    const bool has_table = a.format == io::Format::kTable || b.format == io::Format::kTable;
+    const std::string& column = operation.limits.column;
+    if (!column.empty() && column != arguments_.limits.read.column && !has_table) {
+      add_note(kColumnIsUnused);
+    }
     for (const NamedOperand* const operand : {&a, &b}) {
       for (const std::string& text : notes_on(operand->source)) {
         add_note(operand->name + ": " + text);

@@ -17,6 +17,7 @@
 #include "batch/batch_run.hpp"
 #include "commands/commands.hpp"
 #include "commands/subcommands.hpp"
+#include "options/unused_options.hpp"
 #include "process/failure.hpp"
 
 namespace minksum::cli {
@@ -129,7 +130,10 @@ int run_batch(const BatchArguments& arguments) {
                const JobLine* const line = lines.peek();
                return line != nullptr ? std::optional(runner.head(*line)) : std::nullopt;
              },
-             [&] { static_cast<void>(lines.next()); }});
+             [&] {
+               static_cast<void>(lines.next());
+               mark_all_taken();
+             }});
   Work work;
   work.next = [&]() -> std::optional<Task> {
     std::optional<JobLine> line = lines.next();

@@ -12,6 +12,7 @@
 #include "help/spelling.hpp"
 #include "minksum/prepared_region.hpp"
 #include "options/turns.hpp"
+#include "options/unused_options.hpp"
 #include "output/json_members.hpp"
 #include "output/result_file.hpp"
 #include "process/failure.hpp"
@@ -109,6 +110,7 @@ Parts load(const BatchArguments& arguments) {
     try {
       const std::string text = io::load_text(file.string(), arguments.limits.read);
       parts.digest.add(file.filename().string()).add(text);
+      mark_taken_by(io::detect_format(text));
       const io::Document part = io::read_document(text, arguments.limits.read);
       parts.system =
           in_system_of(arguments.coordinates, {source, part.source}, {named_by, file.string()});

@@ -61,8 +61,7 @@ struct Program {
       convert(*arguments);
       const int code = run(*arguments);
       StatusLine::remove();
-      // Jobs of a batch are not counted here: their files may be of many formats.
-      if constexpr (requires { arguments->limits.drawing; }) note_unused(limits.read);
+      if constexpr (requires { arguments->limits; }) note_unused(limits.read);
       tell_cost();
       return code;
     });

@@ -1,7 +1,6 @@
 #include "options/unused_options.hpp"
 
-#include <bitset>
-#include <cstddef>
+#include <atomic>
 #include <string>
 
 #include "process/telling.hpp"
@@ -9,18 +8,20 @@
 namespace minksum::cli {
 namespace {
 
-constexpr std::size_t kReadingOptions = 5;
-
 // A run reads its operands in many places, and what it tells on standard error is the process's.
-std::bitset<kReadingOptions> taken_options;
+// Each option is a bit.
+std::atomic<unsigned> taken_options;
+
+unsigned bit_of(ReadingOption option) { return 1U << static_cast<unsigned>(option); }
 
 void note_unless_taken(ReadingOption option, bool is_typed, const char* text) {
-  if (is_typed && !taken_options.test(static_cast<std::size_t>(option))) note(text);
+  if (is_typed && (taken_options & bit_of(option)) == 0) note(text);
 }
 
 }  // namespace
 
-void mark_taken(ReadingOption option) { taken_options.set(static_cast<std::size_t>(option)); }
+void mark_taken(ReadingOption option) { taken_options |= bit_of(option); }
+void mark_all_taken() { taken_options = ~0U; }
 
 void mark_taken_by(io::Format format) {
   using enum io::Format;
@@ -47,8 +48,7 @@ void note_unused(const io::ReadOptions& typed) {
                     "opens");
   note_unless_taken(kJoinEnds, drawing.join_ends.sign() > 0,
                     "--join-ends has no effect: nothing that was read is DXF");
-  note_unless_taken(kColumn, !typed.column.empty(),
-                    "--column has no effect: nothing that was read is a table (CSV, TSV)");
+  note_unless_taken(kColumn, !typed.column.empty(), kColumnIsUnused);
 }
 
 }  // namespace minksum::cli

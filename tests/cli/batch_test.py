@@ -156,6 +156,28 @@ class Jobs(BatchTest):
         given = self.one(operation="convert", a=wkt("id,geom\n1,POINT (1 2)\n2,\n"))
         self.assertEqual(given["notes"], ["a: 1 of 2 features skipped: 1 has no geometry"])
 
+    def test_options_that_no_job_takes(self):
+        # They were ignored in silence.
+        point, table = wkt("POINT (1 2)"), wkt("a,b\nPOINT (1 2),POINT (3 4)\n")
+        jobs = self.file("jobs.jsonl", lines_of([{"operation": "convert", "a": point}]))
+        parts = self.folder / "parts"
+        parts.mkdir()
+        self.file("parts/part.wkt", SQUARE)
+        for option in ("--column b", "--tolerance 1", "--side inside", "--layer A",
+                       "--join-ends 1"):
+            note = option.split()[0] + " has no effect: nothing that was read is "
+            self.fine("batch", jobs, *option.split(), note=note)
+            self.fine("batch", "--pairs", parts, *option.split(), note=note)
+        self.batch([{"operation": "sum", "a": table, "b": point}], "--column", "b")
+        note = "--column has no effect: nothing that was read is a table (CSV, TSV)"
+        given = self.one(operation="convert", a=point, options={"column": "b"})
+        self.assertEqual(given["notes"], [note])
+        # A job of an earlier run may have taken it.
+        out = self.folder / "out.jsonl"
+        self.fine("batch", jobs, "-o", out, "--column", "b", note=note)
+        out.rename(self.folder / "out.jsonl.partial")
+        self.fine("batch", jobs, "-o", out, "--column", "b")
+
     def test_reference_systems(self):
         here, there = wkt("SRID=4326;POINT (1 2)"), wkt("SRID=3857;POINT (1 2)")
         for operation, options in (("sum", {}), ("sum", {"tight": True}), ("union", {})):
