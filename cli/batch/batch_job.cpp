@@ -196,6 +196,10 @@ Digest digest_of_settings(const BatchArguments& arguments) {
     digest.add(std::to_string(limit));
   }
   digest.add(std::to_string(limits.seconds));
+  const io::DrawingOptions& drawing = limits.read.drawing;
+  digest.add(limits.read.drop_z ? "drop-z" : "").add(limits.read.column).add(drawing.layer);
+  digest.add(drawing.tolerance ? drawing.tolerance->to_string() : "");
+  digest.add(std::to_string(static_cast<int>(drawing.side))).add(drawing.join_ends.to_string());
   return digest;
 }
 

@@ -178,6 +178,18 @@ class Jobs(BatchTest):
         out.rename(self.folder / "out.jsonl.partial")
         self.fine("batch", jobs, "-o", out, "--column", "b")
 
+    def test_results_depend_on_how_operands_are_read(self):
+        jobs = self.file("jobs.jsonl", lines_of([{
+            "operation": "convert", "a": wkt("a,b\nPOINT (1 2),POINT (3 4)\n")}]))
+        out, partial = self.folder / "out.jsonl", self.folder / "out.jsonl.partial"
+        self.fine("batch", jobs, "-o", out, "--column", "b")
+        out.rename(partial)
+        for other in ("--column=a", "--drop-z", "--tolerance=1", "--side=inside", "--layer=A",
+                      "--join-ends=1"):
+            self.fails(2, "not the result of this job with these settings", "batch", jobs, "-o",
+                       out, *(["--column=b"] if "column" not in other else []), other)
+        self.fine("batch", jobs, "-o", out, "--column", "b")
+
     def test_reference_systems(self):
         here, there = wkt("SRID=4326;POINT (1 2)"), wkt("SRID=3857;POINT (1 2)")
         for operation, options in (("sum", {}), ("sum", {"tight": True}), ("union", {})):
