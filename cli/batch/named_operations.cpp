@@ -295,7 +295,9 @@ ReadyOperation ready_operation(const std::string& name, const std::vector<Option
     const bool at = option.name == "format" || option.name == "coords" || option.name == "round";
     if (at && holds(typed, "at")) continue;  // the answers of --at are not a geometry
     if (option.name == "fill" && asks_for(typed, "strict")) continue;
-    if (has_own_option(entry, option.name) && !holds(typed, option.name)) all.push_back(option);
+    if (!has_own_option(entry, option.name) || holds(typed, option.name)) continue;
+    all.push_back(option);
+    *option.is_taken = true;
   }
   Parser parser(entry.name, entry.operands, all);
   ProcessLimits mine = limits;

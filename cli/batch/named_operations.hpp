@@ -1,6 +1,7 @@
 // Makes the operations that `minksum batch` runs, from their names and those of their options.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -22,6 +23,8 @@ struct OptionText {
   std::string name;
   std::vector<std::string> words;
   bool is_off = false;  ///< set for `"tight": false`, which has no words
+  /// Whether a job takes it, for an option that holds for all jobs.
+  std::shared_ptr<std::atomic<bool>> is_taken = {};
 };
 
 /// An operation with its options, ready for any operands and any thread.

@@ -19,6 +19,7 @@
 #include "commands/subcommands.hpp"
 #include "options/unused_options.hpp"
 #include "process/failure.hpp"
+#include "process/telling.hpp"
 
 namespace minksum::cli {
 namespace {
@@ -133,6 +134,7 @@ int run_batch(const BatchArguments& arguments) {
              [&] {
                static_cast<void>(lines.next());
                mark_all_taken();
+               for (const OptionText& option : arguments.defaults) *option.is_taken = true;
              }});
   Work work;
   work.next = [&]() -> std::optional<Task> {
@@ -145,6 +147,9 @@ int run_batch(const BatchArguments& arguments) {
   };
   work.is_at_hand = [&] { return lines.are_at_hand(); };
   run.run(std::move(work), [&] { return lines.share(); });
+  for (const OptionText& option : arguments.defaults) {
+    if (!*option.is_taken) note("--" + option.name + " has no effect: no job takes it");
+  }
   return run.finish(Json::object(), files);
 }
 

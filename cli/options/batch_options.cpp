@@ -92,7 +92,10 @@ void convert(BatchArguments& arguments) {
       {"fill", arguments.fill == FillRule::kAutomatic ? "" : to_string(arguments.fill)}};
   for (const auto& [name, value] : defaults) {
     if (value.empty()) continue;
-    arguments.defaults.push_back({name, {"--" + std::string(name) + "=" + value}});
+    arguments.defaults.push_back({name,
+                                  {"--" + std::string(name) + "=" + value},
+                                  false,
+                                  std::make_shared<std::atomic<bool>>(false)});
   }
   arguments.threads = threads_or_all(arguments.threads);
 }

@@ -172,6 +172,12 @@ class Jobs(BatchTest):
         note = "--column has no effect: nothing that was read is a table (CSV, TSV)"
         given = self.one(operation="convert", a=point, options={"column": "b"})
         self.assertEqual(given["notes"], [note])
+        far = {"operation": "depth", "a": wkt(SQUARE), "b": wkt("POINT (9 9)")}
+        own = {"operation": "convert", "a": point, "options": {"coords": "exact"}}
+        depth = self.file("depth.jsonl", lines_of([far, own]))
+        self.fine("batch", depth, "--format", "geojson")
+        self.fine("batch", depth, "--coords", "decimal:1",
+                  note="--coords has no effect: no job takes it")
         # A job of an earlier run may have taken it.
         out = self.folder / "out.jsonl"
         self.fine("batch", jobs, "-o", out, "--column", "b", note=note)
@@ -208,7 +214,7 @@ class Jobs(BatchTest):
                          options={"at": [[2, 2.5], "-3,0", [1.5, 2]], "reference": [0, 0]})
         self.assertEqual(given["result"]["contacts"], ["touching", "free", "overlapping"])
         given = self.batch([{"operation": "nfp", "a": "slit.wkt", "b": "square.wkt",
-                             "options": {"at": [2, 2.5]}}], "--coords", "exact")
+                             "options": {"at": [2, 2.5]}}], "--coords", "exact", "-q")
         self.assertEqual(given[0]["result"]["contacts"], ["touching"])
 
     def test_pairs_of_numbers(self):
