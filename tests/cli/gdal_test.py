@@ -184,7 +184,7 @@ class Gdal(ProgramTest):
         # In degrees GDAL flattens an arc that has a centre.
         text = ('<ogr:FeatureCollection xmlns:ogr="http://ogr.maptools.org/" '
                 'xmlns:gml="http://www.opengis.net/gml">\n<gml:featureMember><ogr:c><ogr:g>'
-                '<gml:Curve srsName="EPSG:4326"><gml:segments><gml:ArcByCenterPoint>\n'
+                '<gml:Curve srsName="EPSG:4326"><gml:segments><gml:ArcByCenterPoint numArc="1">\n'
                 '<gml:pos>1 1</gml:pos><gml:radius uom="m">2</gml:radius>'
                 '<gml:startAngle uom="degree">0</gml:startAngle>'
                 '<gml:endAngle uom="degree">90</gml:endAngle></gml:ArcByCenterPoint>'

@@ -79,7 +79,9 @@ void FlattenedCurves::refuse_in_mif(const std::string& file) const {
 void FlattenedCurves::refuse_in_gml(const std::string& file) const {
   refuse_lines(gdal_, file, [](std::string_view line) -> std::string {
     for (const char* const name : {"ArcByCenterPoint", "CircleByCenterPoint"}) {
-      if (line.find(name + std::string(">")) != std::string_view::npos) return name;
+      const std::size_t at = line.find(name);
+      if (at == std::string_view::npos || at == 0) continue;
+      if (line[at - 1] == '<' || line[at - 1] == ':') return name;  // an element's name
     }
     return "";
   });

@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <vector>
 
+#include "exact/shortest_double.hpp"
 #include "io/gdal/flattened.hpp"
 #include "io/gdal/gdal.hpp"
 #include "io/gdal/library.hpp"
 #include "io/gdal/records.hpp"
 #include "io/json_string.hpp"
 #include "machine/cancellation.hpp"
-#include "exact/shortest_double.hpp"
 
 namespace minksum::io {
 
